@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_FACE_COUNT_H
+#define CGAL_INTER_ANGLE_REMESHING_FACE_COUNT_H
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+
+/*!
+\ingroup PkgInterAngleRemeshingRef
+
+@brief a wanted number of faces, in place of a target edge length.
+*/
+struct Face_count
+{
+  /// @param n the wanted number of faces
+  explicit Face_count(std::size_t n) : value(n) {}
+
+  /// the wanted number of faces
+  std::size_t value;
+};
+
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_FACE_COUNT_H

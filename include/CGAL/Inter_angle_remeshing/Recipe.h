@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_RECIPE_H
+#define CGAL_INTER_ANGLE_REMESHING_RECIPE_H
+
+#include <CGAL/Named_function_parameters.h>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+
+/*!
+\ingroup PkgInterAngleRemeshingRef
+
+@brief everything about a remeshing run that `CGAL::Polygon_mesh_processing::isotropic_remeshing()` has no named
+parameter for.
+
+A value type: take the default, or `Recipe::paper()`, change members, and hand it over by `recipe()`. The default
+values are those that were measured best, see the ablation tables of the benchmark.
+*/
+struct Recipe
+{
+  /// how the neighbors of a vertex are weighted in the centre that relaxation moves it to
+  enum class Weights
+  {
+    uniform,    ///< all alike
+    area,       ///< by the area of the faces beside the edge to the neighbor
+    cotangent   ///< by the cotangents of the angles opposite to that edge; negative weights count as zero
+  };
+
+  /// which policies rule where the user hands none over
+  enum class Policies
+  {
+    measured,   ///< the rules of the paper that were measured to do good
+    paper       ///< all rules, as printed
+  };
+
+  /// λ, the factor on the tangential step towards the centre of the neighbors: 1 goes there, more than 1
+  /// over-relaxes. In (0, 1.6]; sweeps with more than that diverge.
+  double relaxation = 1.5;
+  /// the weights of the centre
+  Weights weights = Weights::uniform;
+  /// sweeps of relaxation in an iteration; the named parameter `number_of_relaxation_steps` rules over both counts
+  unsigned sweeps = 3;
+  /// sweeps in each of the last two iterations
+  unsigned last_sweeps = 16;
+  /// rounds of flips, each followed by glides, in an iteration
+  unsigned flip_rounds = 2;
+  /// the largest number of flips in a glide: a sequence of flips that moves an irregular vertex until it meets
+  /// another one and both become regular. 0 turns glides off, at most 16.
+  unsigned glide_depth = 6;
+  /// how much the sum of squared valence deviations may rise on a glide's way before it falls
+  int glide_slack = 2;
+  /// how far from the new surface the vertex that a collapse removes may lie, in target lengths
+  double collapse_tolerance = 0.15;
+  /// whether valences of 4 and less, and what is left of bad angles, are mended after the last iteration
+  bool clean_up = true;
+  /// which policies rule where the user hands none over
+  Policies policies = Policies::measured;
+
+  /// the rules of Zheng and Lv (ICIG 2025) as printed: all of their split, collapse and flip conditions, λ = 0.5,
+  /// area weights, one sweep an iteration, no glides, no clean-up
+  static Recipe paper()
+  {
+    Recipe r;
+    r.relaxation = 0.5;
+    r.weights = Weights::area;
+    r.sweeps = r.last_sweeps = 1;
+    r.flip_rounds = 1;
+    r.glide_depth = 0;
+    r.clean_up = false;
+    r.policies = Policies::paper;
+    return r;
+  }
+};
+
+#ifndef DOXYGEN_RUNNING
+namespace internal {
+enum recipe_t { recipe_tag };
+}
+#endif
+
+/*!
+\ingroup PkgInterAngleRemeshingRef
+
+@brief hands a recipe over to `isotropic_remeshing()`, alone or at the head of a chain of named parameters.
+
+\code
+isotropic_remeshing(faces(mesh), 0.02, mesh, recipe(r));
+isotropic_remeshing(faces(mesh), 0.02, mesh, recipe(r, CGAL::parameters::number_of_iterations(5)));
+\endcode
+
+@param r the recipe; it is copied
+@param np further named parameters
+*/
+template <class NamedParameters = CGAL::parameters::Default_named_parameters>
+auto recipe(const Recipe& r, const NamedParameters& np = CGAL::parameters::default_values())
+{
+  return CGAL::Named_function_parameters<Recipe, internal::recipe_t, NamedParameters>(r, np);
+}
+
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_RECIPE_H

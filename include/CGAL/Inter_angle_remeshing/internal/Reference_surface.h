@@ -1,0 +1,202 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_REFERENCE_SURFACE_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REFERENCE_SURFACE_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/closest_point_on_triangle.h>
+#include <CGAL/Inter_angle_remeshing/internal/compatibility.h>
+
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// The surface that the result approximates: a const, flat copy of the input. Queries run concurrently.
+class Reference_surface
+  : public Corner_table
+{
+public:
+  // A copy of a mesh that has no free slots.
+  explicit Reference_surface(const Remeshing_mesh& mesh)
+    : Corner_table(mesh), position_(mesh.positions()), unit_(mesh.unit())
+  {}
+
+  // The user's length that is 1 here.
+  double unit() const { return unit_; }
+  std::size_t number_of_faces() const { return number_of_face_slots(); }
+  const Vector3& position(Index v) const { return position_[v]; }
+
+  // Twice the area times the unit normal of face f.
+  Vector3 cross_product(Index f) const
+  {
+    const Face& t = face_record(f);
+    return triangle_cross(position_[t.vertex[0]], position_[t.vertex[1]], position_[t.vertex[2]]);
+  }
+
+  Point_on_triangle closest_point_on_face(const Vector3& q, Index f) const
+  {
+    const Face& t = face_record(f);
+    return closest_point_on_triangle(q, position_[t.vertex[0]], position_[t.vertex[1]], position_[t.vertex[2]]);
+  }
+
+  // Walks from face f over the surface to the closest point, downhill in distance; f becomes the face it ends on.
+  Vector3 walk(const Vector3& q, Index& f) const;
+
+  // The closest point where nothing is known about q. Where `normal` is not zero, the closest point whose face
+  // looks the same way (the angle between the normals is under 90 degrees) wins over the closest one of all,
+  // if there is one not further than twice as far away plus an edge length.
+  Vector3 locate(const Vector3& q, Index& f, const Vector3& normal = Vector3()) const;
+
+private:
+  using Kernel = CGAL::Simple_cartesian<double>;
+
+  // A face of the surface, as AABB_tree wants it.
+  class Face_primitive
+  {
+  public:
+    using Id = Index;
+    using Point = Kernel::Point_3;
+    using Datum = Kernel::Triangle_3;
+    using Datum_reference = Kernel::Triangle_3;
+    using Shared_data = const Reference_surface*;
+
+    Face_primitive() = default;
+    Face_primitive(std::vector<Index>::const_iterator f, Shared_data) : id_(*f) {}
+    static Shared_data construct_shared_data(Shared_data surface) { return surface; }
+
+    Id id() const { return id_; }
+    Datum_reference datum(Shared_data surface) const
+    {
+      const Face& t = surface->face_record(id_);
+      return Datum(surface->point(t.vertex[0]), surface->point(t.vertex[1]), surface->point(t.vertex[2]));
+    }
+    Point reference_point(Shared_data surface) const { return surface->point(surface->face_record(id_).vertex[0]); }
+
+  private:
+    Id id_ = -1;
+  };
+
+  using Tree = CGAL::AABB_tree<AABB_traits<Kernel, Face_primitive>>;
+
+  Kernel::Point_3 point(Index v) const { return {position_[v].x, position_[v].y, position_[v].z}; }
+  const Tree& tree() const;
+  bool walk_around_vertex(const Vector3& q, Index h, Index& f, Point_on_triangle& best, double& distance) const;
+
+  std::vector<Vector3> position_;
+  double unit_;
+  // Built by the first query that needs it: warm starts, which are all but a few, do without.
+  mutable std::once_flag tree_is_built_;
+  mutable std::unique_ptr<Tree> tree_;
+};
+
+// Steps of a walk; one visits 1.7 faces on the average. The bound only keeps rounding from running in circles.
+constexpr int MAXIMUM_WALK = 200;
+// A step of the walk must come nearer by this fraction of the squared distance: more than rounding.
+constexpr double NEARER = 1 - 1e-12;
+
+inline bool Reference_surface::walk_around_vertex(const Vector3& q, Index h, Index& f, Point_on_triangle& best,
+                                                  double& distance) const
+{
+  bool is_nearer = false;
+  const auto look_at = [&](Index k) {
+    const Point_on_triangle c = closest_point_on_face(q, face(k));
+    const double d = squared_distance(q, c.point);
+    if (d < distance * NEARER) {
+      is_nearer = true;
+      distance = d;
+      best = c;
+      f = face(k);
+    }
+  };
+  Index k = rotate_ccw(h);
+  for (; k >= 0 && k != h; k = rotate_ccw(k)) look_at(k);
+  if (k < 0)
+    for (k = rotate_cw(h); k >= 0; k = rotate_cw(k)) look_at(k);
+  return is_nearer;
+}
+
+inline Vector3 Reference_surface::walk(const Vector3& q, Index& f) const
+{
+  Point_on_triangle best = closest_point_on_face(q, f);
+  double distance = squared_distance(q, best.point);
+  for (int step = 0; step < MAXIMUM_WALK; ++step) {
+    const int part = int(best.part);
+    if (best.part == Triangle_part::interior) break;
+    if (part <= int(Triangle_part::edge_ca)) {
+      const Index across = face_record(f).opposite[part - int(Triangle_part::edge_ab)];
+      if (across < 0) break;
+      const Point_on_triangle c = closest_point_on_face(q, face(across));
+      const double d = squared_distance(q, c.point);
+      if (!(d < distance * NEARER)) break;
+      distance = d;
+      best = c;
+      f = face(across);
+    }
+    else if (!walk_around_vertex(q, 4 * f + part - int(Triangle_part::vertex_a), f, best, distance))
+      break;
+  }
+  return best.point;
+}
+
+inline const Reference_surface::Tree& Reference_surface::tree() const
+{
+  std::call_once(tree_is_built_, [this]() {
+    std::vector<Index> ids;
+    ids.reserve(number_of_faces());
+    for (Index f = 0; f < Index(number_of_faces()); ++f)
+      if (squared_length(cross_product(f)) > 0) ids.push_back(f);
+    auto tree = std::make_unique<Tree>();
+    tree->insert(ids.cbegin(), ids.cend(), this);
+    tree->build();
+    if (!tree->empty()) tree->accelerate_distance_queries();
+    tree_ = std::move(tree);
+  });
+  return *tree_;
+}
+
+inline Vector3 Reference_surface::locate(const Vector3& q, Index& f, const Vector3& normal) const
+{
+  if (tree().empty()) { // nothing but degenerate faces
+    f = 0;
+    return walk(q, f);
+  }
+  const Kernel::Point_3 query(q.x, q.y, q.z);
+  f = tree().closest_point_and_primitive(query).second;
+  const Vector3 closest = closest_point_on_face(q, f).point;
+  if (normal == Vector3() || dot(cross_product(f), normal) > 0) return closest;
+
+  const double edge = std::sqrt(std::sqrt(squared_length(cross_product(f))));
+  const double radius = 2 * std::sqrt(squared_distance(q, closest)) + edge;
+  std::vector<Index> near;
+  tree().all_intersected_primitives(CGAL::Bbox_3(q.x - radius, q.y - radius, q.z - radius,
+                                                 q.x + radius, q.y + radius, q.z + radius),
+                                    std::back_inserter(near));
+  std::sort(near.begin(), near.end());
+  double best = radius * radius;
+  Vector3 result = closest;
+  for (const Index g : near) {
+    if (!(dot(cross_product(g), normal) > 0)) continue;
+    const Vector3 c = closest_point_on_face(q, g).point;
+    const double d = squared_distance(q, c);
+    if (d < best) { best = d; result = c; f = g; }
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_REFERENCE_SURFACE_H

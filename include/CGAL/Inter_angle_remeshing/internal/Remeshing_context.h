@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESHING_CONTEXT_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESHING_CONTEXT_H
+
+#include <CGAL/Inter_angle_remeshing/Default_visitor.h>
+#include <CGAL/Inter_angle_remeshing/Edge_profile.h>
+#include <CGAL/Inter_angle_remeshing/Recipe.h>
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh_graph.h>
+
+#include <CGAL/tags.h>
+
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// The profile that policies are asked with during a run.
+template <class InputVertex>
+using Run_profile = Edge_profile<Remeshing_mesh, Mesh_point_map, Mesh_edge_is_constrained_map,
+                                 Mesh_input_vertex_map<InputVertex>>;
+
+// A bool in place of a policy.
+struct Constant_policy
+{
+  bool value = true;
+
+  template <class Profile>
+  bool operator()(const Profile&) const { return value; }
+};
+
+template <class Policy>
+bool is_never(const Policy&) { return false; }
+inline bool is_never(const Constant_policy& policy) { return !policy.value; }
+
+// What every pass works with: the mesh, the target length, and the user's functors.
+template <class InputVertex, class SplitPolicy, class CollapsePolicy, class FlipPolicy, class Projector, class Visitor>
+struct Remeshing_context
+{
+  using Index = Remeshing_mesh::Index;
+  // Passes that call the projector run sequentially where it can be called by one thread only.
+  template <class ConcurrencyTag>
+  using Projection_tag = std::conditional_t<Projector::IS_CONCURRENT, ConcurrencyTag, CGAL::Sequential_tag>;
+
+  Remeshing_mesh& mesh;
+  const Recipe& recipe;
+  const std::vector<InputVertex>& input_vertices;
+  InputVertex null_vertex;
+  const SplitPolicy& split_policy;
+  const CollapsePolicy& collapse_policy;
+  const FlipPolicy& flip_policy;
+  const Projector& projector;
+  Visitor& visitor;
+  bool may_collapse_constraints;
+  double target_length;                // in the units of the flat mesh; 0: nothing is split or collapsed
+
+  // An edge longer than this many target lengths is split, a shorter one is collapsed (Botsch and Kobbelt 2004): at
+  // 4/3 both halves are nearer to the target length than the whole, at 4/5 the merged edge is.
+  static constexpr double TOO_LONG = 4. / 3, TOO_SHORT = 4. / 5;
+
+  double squared_length_limit() const { return (TOO_LONG * target_length) * (TOO_LONG * target_length); }
+  double squared_shortness_limit() const { return (TOO_SHORT * target_length) * (TOO_SHORT * target_length); }
+
+  bool permits_split(Index h) const { return permits(split_policy, h, false); }
+  bool permits_collapse(Index h) const { return permits(collapse_policy, h, false); }
+  bool permits_flip(Index h, bool is_transient) const { return permits(flip_policy, h, is_transient); }
+
+private:
+  bool permits(const Constant_policy& policy, Index, bool) const { return policy.value; }
+
+  template <class Policy>
+  bool permits(const Policy& policy, Index h, bool is_transient) const
+  {
+    return policy(Run_profile<InputVertex>(Mesh_halfedge(h), mesh, Mesh_point_map{&mesh}, mesh.unit() * target_length,
+                                           is_transient, Mesh_edge_is_constrained_map{&mesh},
+                                           Mesh_input_vertex_map<InputVertex>{&mesh, &input_vertices, null_vertex}));
+  }
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESHING_CONTEXT_H

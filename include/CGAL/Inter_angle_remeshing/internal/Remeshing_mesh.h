@@ -1,0 +1,466 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESHING_MESH_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESHING_MESH_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Corner_table.h>
+#include <CGAL/Inter_angle_remeshing/internal/Vector3.h>
+#include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// The mesh that is remeshed: a corner table, the state of its elements, and every question about it.
+// Coordinates are the user's multiplied by a power of two (exact both ways) such that the extent lies in [1/2, 1).
+// It models CGAL's FaceGraph through the functions of Remeshing_mesh_graph.h.
+class Remeshing_mesh
+  : public Corner_table
+{
+public:
+  // What binds a vertex. A vertex with none of these marks is free: it moves and may be removed.
+  enum Vertex_mark : std::uint8_t
+  {
+    ON_BORDER = 1,          // a half-edge of its fan is on the border of the remeshed range
+    ON_FEATURE = 2,         // it is an end of a constrained edge
+    LOCKED = 4,             // neither moved nor removed
+    NEXT_TO_OUTSIDE = 8,    // on the border between the range and faces outside of it
+    PINCHED = 16            // one of several fans of the user's vertex: nothing around it may change
+  };
+
+  // Flags of edge k of a face: bit k, and bit k + 3.
+  static constexpr std::uint32_t CONSTRAINED = 1;  // never flipped, its chain is kept
+  static constexpr std::uint32_t PROTECTED = 8;    // neither flipped, split nor collapsed: keeps its descriptor
+
+  static constexpr Index NO_VERTEX = -1;
+
+  // Vertices a block of the space-filling order holds; 1024 records of a sweep fill half of a 64 KiB cache.
+  static std::size_t block_size(std::size_t number_of_vertices)
+  {
+    return number_of_vertices < 50000 ? 256 : 1024;
+  }
+
+  // --- construction -------------------------------------------------------------------------------------------
+
+  void resize_vertices(std::size_t n)
+  {
+    position_.resize(n); first_.resize(n, -1); valence_.resize(n, 0); marks_.resize(n, 0);
+    hint_.resize(n, 0); input_.resize(n, NO_VERTEX); block_.resize(n, 0);
+  }
+
+  void reserve_vertices(std::size_t n)
+  {
+    position_.reserve(n); first_.reserve(n); valence_.reserve(n); marks_.reserve(n);
+    hint_.reserve(n); input_.reserve(n); block_.reserve(n);
+  }
+
+  // The user's length that is 1 here.
+  double unit() const { return unit_; }
+  void set_unit(double unit) { unit_ = unit; }
+
+  // --- vertices -----------------------------------------------------------------------------------------------
+
+  std::size_t number_of_vertex_slots() const { return position_.size(); }
+  std::size_t number_of_live_vertices() const { return position_.size() - free_vertices_.size(); }
+  std::size_t number_of_live_faces() const { return number_of_face_slots() - free_faces_.size(); }
+  bool is_vertex(Index v) const { return first_[v] >= 0; }
+
+  const Vector3& position(Index v) const { return position_[v]; }
+  Vector3& position(Index v) { return position_[v]; }
+  const std::vector<Vector3>& positions() const { return position_; }
+  // The half-edge that begins the fan of v.
+  Index first(Index v) const { return first_[v]; }
+  void set_first(Index v, Index h) { first_[v] = h; }
+  // The number of edges at v.
+  int valence(Index v) const { return valence_[v]; }
+  void set_valence(Index v, int n) { valence_[v] = static_cast<std::uint16_t>(n); }
+  // The face of the projector's surface onto which v was projected last.
+  Index hint(Index v) const { return hint_[v]; }
+  Index& hint(Index v) { return hint_[v]; }
+  // The user's vertex that v is, as its number in the input; NO_VERTEX for a new one.
+  Index input(Index v) const { return input_[v]; }
+  void set_input(Index v, Index i) { input_[v] = i; }
+  // The block of the space-filling order that v belongs to.
+  Index block(Index v) const { return block_[v]; }
+
+  unsigned marks(Index v) const { return marks_[v]; }
+  void add_marks(Index v, unsigned marks) { marks_[v] = static_cast<std::uint8_t>(marks_[v] | marks); }
+  bool is_free(Index v) const { return marks_[v] == 0; }
+  bool is_border_vertex(Index v) const { return (marks_[v] & ON_BORDER) != 0; }
+  bool is_on_curve(Index v) const { return (marks_[v] & (ON_BORDER | ON_FEATURE)) != 0; }
+  bool is_locked(Index v) const { return (marks_[v] & LOCKED) != 0; }
+
+  // How far the valence is from that of a regular vertex: 6, or 4 on the border.
+  int deviation(Index v) const { return int(valence_[v]) - (is_border_vertex(v) ? 4 : 6); }
+
+  // --- edges --------------------------------------------------------------------------------------------------
+
+  bool is_constrained(Index h) const { return has_flag(h, CONSTRAINED); }
+  bool is_protected(Index h) const { return has_flag(h, PROTECTED); }
+  // Whether the edge belongs to a border or to a feature.
+  bool is_on_curve_edge(Index h) const { return is_border(h) || is_constrained(h); }
+
+  bool has_flag(Index h, std::uint32_t flag) const
+  {
+    return (faces_[h >> 2].edge_flags & (flag << (h & 3))) != 0;
+  }
+  void add_flags(Index h, std::uint32_t flags)
+  {
+    faces_[h >> 2].edge_flags |= flags << (h & 3);
+    const Index o = opposite(h);
+    if (o >= 0) faces_[o >> 2].edge_flags |= flags << (o & 3);
+  }
+
+  double squared_edge_length(Index h) const { return squared_distance(position_[origin(h)], position_[target(h)]); }
+
+  // Calls `function(u)` for each neighbour u of v, counterclockwise.
+  template <class Function>
+  void for_each_neighbor(Index v, const Function& function) const
+  {
+    Index h = first_[v];
+    do {
+      function(target(h));
+      const Index following = rotate_ccw(h);
+      if (following < 0) { function(apex(h)); return; }
+      h = following;
+    } while (h != first_[v]);
+  }
+
+  bool is_adjacent(Index u, Index v) const
+  {
+    bool found = false;
+    for_each_neighbor(valence_[u] <= valence_[v] ? u : v,
+                      [&, other = valence_[u] <= valence_[v] ? v : u](Index w) { found |= w == other; });
+    return found;
+  }
+
+  // The half-edge from u to v through a face; negative where there is none.
+  Index find_halfedge(Index u, Index v) const
+  {
+    Index h = first_[u];
+    do {
+      if (target(h) == v) return h;
+      h = rotate_ccw(h);
+    } while (h >= 0 && h != first_[u]);
+    return -1;
+  }
+
+  // --- what is legal topologically ----------------------------------------------------------------------------
+
+  // Whether a new edge between u and v could double one that the flat mesh does not see.
+  bool may_meet_outside(Index u, Index v) const
+  {
+    return (marks_[u] & marks_[v] & NEXT_TO_OUTSIDE) != 0;
+  }
+
+  bool is_flip_legal(Index h) const;
+  bool is_split_legal(Index h) const { return !is_protected(h); }
+  // Whether the source of h may be merged into its target: the link condition, and both curves and what lies
+  // outside of the range kept. h may be a border side, here and in collapse().
+  bool is_collapse_legal(Index h) const;
+
+  // --- the three operations -----------------------------------------------------------------------------------
+
+  // Replaces the edge of h by the other diagonal; next(h) becomes that diagonal, from apex(h) to apex(opposite(h)).
+  void flip(Index h);
+  // Puts a vertex at `p` on the edge of h; returns it.
+  Index split(Index h, const Vector3& p);
+  // Merges the source of h into its target.
+  void collapse(Index h);
+
+  // --- the space-filling order --------------------------------------------------------------------------------
+
+  // Renumbers: vertex i becomes `order[i]`'s; faces follow their smallest vertex; free slots vanish.
+  template <class ConcurrencyTag>
+  void renumber(const std::vector<Index>& order);
+  // Live vertices, block by block.
+  std::vector<Index> block_order() const;
+
+  // --- who was touched, for evaluations that were made beforehand ----------------------------------------------
+
+  void start_recording_touched() { touched_.assign(number_of_vertex_slots(), 0); }
+  void stop_recording_touched() { touched_.clear(); }
+  // Whether an operation since start_recording_touched() changed the star of one of the four vertices around h.
+  bool is_touched(Index h) const
+  {
+    if (origin(h) < 0) return true;
+    const Index o = opposite(h);
+    return touched_[origin(h)] || touched_[target(h)] || touched_[apex(h)] ||
+           (!is_border(h) && touched_[apex(o)]);
+  }
+
+private:
+  // A vertex of this valence cannot lose an edge.
+  int least_valence(Index v) const { return is_border_vertex(v) ? 2 : 3; }
+
+  void touch(Index v)
+  {
+    if (!touched_.empty()) {
+      if (std::size_t(v) >= touched_.size()) touched_.resize(number_of_vertex_slots(), 0);
+      touched_[v] = 1;
+    }
+  }
+  void touch_star(Index v)
+  {
+    if (touched_.empty()) return;
+    touch(v);
+    for_each_neighbor(v, [&](Index u) { touch(u); });
+  }
+
+  // Sets where the fan of v begins, from any of its half-edges.
+  void settle_first(Index v, Index h) { first_[v] = is_border_vertex(v) ? fan_start(h) : h; }
+
+  Index new_face();
+  Index new_vertex();
+
+  // The flags of the edge of h, moved down to bits 0 and 3.
+  std::uint32_t flags(Index h) const { return (faces_[h >> 2].edge_flags >> (h & 3)) & (CONSTRAINED | PROTECTED); }
+  void set_flags(Index h, std::uint32_t flags)
+  {
+    std::uint32_t& bits = faces_[h >> 2].edge_flags;
+    bits = (bits & ~((CONSTRAINED | PROTECTED) << (h & 3))) | (flags << (h & 3));
+  }
+
+  double unit_ = 1;
+  std::vector<Vector3> position_;
+  std::vector<Index> first_;
+  std::vector<std::uint16_t> valence_;
+  std::vector<std::uint8_t> marks_;
+  std::vector<Index> hint_, input_, block_;
+  std::vector<Index> free_faces_, free_vertices_;
+  std::vector<std::uint8_t> touched_;
+};
+
+inline Remeshing_mesh::Index Remeshing_mesh::new_face()
+{
+  if (!free_faces_.empty()) {
+    const Index f = free_faces_.back();
+    free_faces_.pop_back();
+    return f;
+  }
+  faces_.emplace_back();
+  return Index(faces_.size()) - 1;
+}
+
+inline Remeshing_mesh::Index Remeshing_mesh::new_vertex()
+{
+  if (!free_vertices_.empty()) {
+    const Index v = free_vertices_.back();
+    free_vertices_.pop_back();
+    return v;
+  }
+  resize_vertices(position_.size() + 1);
+  return Index(position_.size()) - 1;
+}
+
+inline bool Remeshing_mesh::is_flip_legal(Index h) const
+{
+  if (is_border(h) || (faces_[h >> 2].edge_flags != 0 && flags(h) != 0)) return false;
+  const Index o = opposite(h);
+  const Index a = origin(h), b = origin(o), c = apex(h), d = apex(o);
+  return c != d && valence_[a] > least_valence(a) && valence_[b] > least_valence(b) &&
+         !may_meet_outside(c, d) && !is_adjacent(c, d);
+}
+
+inline bool Remeshing_mesh::is_collapse_legal(Index h) const
+{
+  const Index g = opposite(h), a = source(h), b = source(g);
+  const Index side = h >= 0 ? h : g;                         // a half-edge of the edge that has a face
+  if (is_locked(a) || is_protected(side)) return false;
+  if (is_on_curve(a) && !is_on_curve_edge(side)) return false;
+  const Index c = h >= 0 ? apex(h) : NO_VERTEX, d = g >= 0 ? apex(g) : NO_VERTEX;
+  if (c == d) return false;
+  for (const Index v : {c, d})
+    if (v >= 0 && valence_[v] <= least_valence(v)) return false;
+
+  // Link condition: the common neighbours of a and b are the apexes. Where a is on the border, so is the edge,
+  // and the third edge of a border loop of three shows as one more common neighbour.
+  int common = 0;
+  bool is_legal = true;
+  for_each_neighbor(a, [&](Index u) {
+    if (u == b) return;
+    is_legal &= (marks_[u] & PINCHED) == 0;
+    if (u != c && u != d) is_legal &= !may_meet_outside(b, u);
+    for_each_neighbor(b, [&](Index w) { common += u == w; });
+  });
+  return is_legal && common == (c < 0 || d < 0 ? 1 : 2);
+}
+
+inline void Remeshing_mesh::flip(Index h)
+{
+  const Index n = next(h), q = prev(h), g = opposite(h), gn = next(g), gp = prev(g);
+  const Index a = origin(h), b = origin(g), c = origin(q), d = origin(gp);
+  const Index outer_n = opposite(n), outer_gn = opposite(gn);
+  if (faces_[h >> 2].edge_flags | faces_[g >> 2].edge_flags) {
+    const std::uint32_t flags_n = flags(n), flags_gn = flags(gn);
+    set_flags(h, flags_gn); set_flags(g, flags_n); set_flags(n, 0); set_flags(gn, 0);
+  }
+  set_origin(n, d);
+  set_origin(gn, c);
+  glue(h, outer_gn);
+  glue(g, outer_n);
+  glue(n, gn);
+  --valence_[a]; --valence_[b]; ++valence_[c]; ++valence_[d];
+  settle_first(a, h); settle_first(b, g); settle_first(c, q); settle_first(d, gp);
+  touch(a); touch(b); touch(c); touch(d);
+}
+
+inline Remeshing_mesh::Index Remeshing_mesh::split(Index h, const Vector3& p)
+{
+  const Index m = new_vertex();
+  const Index g = opposite(h);
+  const Index n = next(h), a = origin(h), b = origin(n), c = apex(h);
+  const Index f1 = 4 * new_face();                           // the triangle m b c
+  const std::uint32_t edge = flags(h), flags_n = flags(n);
+  faces_[f1 >> 2] = Face{{m, b, c}, faces_[h >> 2].source, {-1, -1, -1}, 0};
+  glue(f1 + 1, opposite(n));
+  set_origin(n, m);
+  glue(n, f1 + 2);
+  set_flags(f1, edge); set_flags(f1 + 1, flags_n); set_flags(n, 0);
+  if (first_[b] == n) first_[b] = f1 + 1;
+  ++valence_[c];
+
+  if (g >= 0) {
+    const Index gp = prev(g), d = origin(gp);
+    const Index g1 = 4 * new_face();                         // the triangle b m d
+    const std::uint32_t flags_gp = flags(gp);
+    faces_[g1 >> 2] = Face{{b, m, d}, faces_[g >> 2].source, {-1, -1, -1}, 0};
+    glue(g1 + 2, opposite(gp));
+    set_origin(g, m);
+    glue(gp, g1 + 1);
+    glue(f1, g1);
+    set_flags(g1, edge); set_flags(g1 + 2, flags_gp); set_flags(gp, 0);
+    if (first_[b] == g) first_[b] = g1;
+    if (first_[d] == gp) first_[d] = g1 + 2;
+    ++valence_[d];
+    touch(d);
+  } else
+    glue(f1, g);
+
+  position_[m] = p;
+  first_[m] = f1;
+  valence_[m] = g >= 0 ? 4 : 3;
+  marks_[m] = static_cast<std::uint8_t>((g >= 0 ? 0 : ON_BORDER) | (edge & CONSTRAINED ? ON_FEATURE : 0));
+  hint_[m] = hint_[a];
+  input_[m] = NO_VERTEX;
+  block_[m] = block_[a];
+  touch(a); touch(b); touch(c); touch(m);
+  return m;
+}
+
+inline void Remeshing_mesh::collapse(Index h)
+{
+  const Index g = opposite(h), a = source(h), b = source(g);
+  touch_star(a);
+  for_each_in_fan(first_[a], [&](Index k) { set_origin(k, b); });
+  valence_[b] = static_cast<std::uint16_t>(valence_[b] + valence_[a] - (h >= 0 && g >= 0 ? 4 : 3));
+
+  // Takes the triangle of the half-edge e between a and b out, and sews its other two edges together.
+  const auto remove_face = [&](Index e) {
+    const Index n = next(e), q = prev(e), c = origin(q);
+    const Index outer_n = opposite(n), outer_q = opposite(q);
+    const std::uint32_t merged = flags(n) | flags(q);
+    glue(outer_n, outer_q);
+    for (const Index outer : {outer_n, outer_q})
+      if (outer >= 0) set_flags(outer, merged);
+    --valence_[c];
+    first_[c] = outer_n >= 0 ? outer_n : next(outer_q);
+    first_[b] = outer_q >= 0 ? outer_q : next(outer_n);
+    faces_[e >> 2] = Face();
+    free_faces_.push_back(e >> 2);
+    return c;
+  };
+  const Index c = h >= 0 ? remove_face(h) : NO_VERTEX;
+  const Index d = g >= 0 ? remove_face(g) : NO_VERTEX;
+  settle_first(b, first_[b]);
+  for (const Index v : {c, d})
+    if (v >= 0) settle_first(v, first_[v]);
+
+  first_[a] = -1;
+  valence_[a] = 0;
+  free_vertices_.push_back(a);
+}
+
+inline std::vector<Remeshing_mesh::Index> Remeshing_mesh::block_order() const
+{
+  Index last = 0;
+  for (const Index k : block_)
+    last = (std::max)(last, k);
+  std::vector<Index> start(std::size_t(last) + 2, 0);
+  for (std::size_t v = 0; v < position_.size(); ++v)
+    if (first_[v] >= 0) ++start[block_[v] + 1];
+  for (std::size_t k = 0; k + 1 < start.size(); ++k)
+    start[k + 1] += start[k];
+  std::vector<Index> order(start.back());
+  for (std::size_t v = 0; v < position_.size(); ++v)
+    if (first_[v] >= 0) order[start[block_[v]]++] = Index(v);
+  return order;
+}
+
+template <class ConcurrencyTag>
+void Remeshing_mesh::renumber(const std::vector<Index>& order)
+{
+  const std::size_t n = order.size();
+  std::vector<Index> new_vertex_of(number_of_vertex_slots(), NO_VERTEX);
+  for (std::size_t i = 0; i < n; ++i)
+    new_vertex_of[order[i]] = Index(i);
+
+  // Faces in the order of their smallest vertex, so that a sweep meets them one after the other.
+  std::vector<Index> new_face_of(number_of_face_slots(), -1), face_order;
+  face_order.reserve(number_of_live_faces());
+  for (std::size_t i = 0; i < n; ++i)
+    for_each_in_fan(first_[order[i]], [&](Index h) {
+      if (new_vertex_of[target(h)] > Index(i) && new_vertex_of[apex(h)] > Index(i)) {
+        new_face_of[h >> 2] = Index(face_order.size());
+        face_order.push_back(h >> 2);
+      }
+    });
+
+  const auto new_corner_of = [&](Index h) { return 4 * new_face_of[h >> 2] + (h & 3); };
+  std::vector<Face> faces;
+  faces.reserve(face_order.size() + face_order.size() / 8);   // room for the splits that follow
+  faces.resize(face_order.size());
+  for_each_block<ConcurrencyTag>(faces.size(), SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Face& old = faces_[face_order[i]];
+      faces[i] = old;
+      for (int k = 0; k < 3; ++k) {
+        faces[i].vertex[k] = new_vertex_of[old.vertex[k]];
+        faces[i].opposite[k] = old.opposite[k] >= 0 ? new_corner_of(old.opposite[k]) : ~Index(4 * i + k);
+      }
+    }
+  });
+
+  Remeshing_mesh result;
+  result.unit_ = unit_;
+  result.reserve_vertices(n + n / 8);
+  result.resize_vertices(n);
+  const std::size_t vertices_a_block = block_size(n);
+  for_each_block<ConcurrencyTag>(n, SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Index v = order[i];
+      result.position_[i] = position_[v];
+      result.first_[i] = new_corner_of(first_[v]);
+      result.valence_[i] = valence_[v];
+      result.marks_[i] = marks_[v];
+      result.hint_[i] = hint_[v];
+      result.input_[i] = input_[v];
+      result.block_[i] = Index(i / vertices_a_block);
+    }
+  });
+  result.faces_ = std::move(faces);
+  *this = std::move(result);
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESHING_MESH_H

@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_VECTOR3_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_VECTOR3_H
+
+#include <cmath>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// A point or a vector of plain doubles: what the hot loops compute with.
+// The user's kernel stays at the border, in mesh_exchange.h.
+struct Vector3
+{
+  double x = 0, y = 0, z = 0;
+
+  Vector3& operator+=(const Vector3& v) { x += v.x; y += v.y; z += v.z; return *this; }
+};
+
+inline Vector3 operator+(const Vector3& a, const Vector3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vector3 operator-(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vector3 operator*(double s, const Vector3& a) { return {s * a.x, s * a.y, s * a.z}; }
+inline bool operator==(const Vector3& a, const Vector3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+inline bool operator!=(const Vector3& a, const Vector3& b) { return !(a == b); }
+
+inline double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+inline Vector3 cross(const Vector3& a, const Vector3& b)
+{
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+inline double squared_length(const Vector3& a) { return dot(a, a); }
+inline double length(const Vector3& a) { return std::sqrt(squared_length(a)); }
+inline double squared_distance(const Vector3& a, const Vector3& b) { return squared_length(a - b); }
+
+inline bool is_finite(const Vector3& a)
+{
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+
+// Twice the area times the unit normal of the triangle abc.
+inline Vector3 triangle_cross(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  return cross(b - a, c - a);
+}
+
+// Whether the angle between u and v is under 90 degrees and its cosine at least `cosine` (>= 0).
+// Products are compared: no root, and a zero vector fails.
+inline bool is_cosine_at_least(const Vector3& u, const Vector3& v, double cosine)
+{
+  const double d = dot(u, v);
+  return d > 0 && d * d >= cosine * cosine * squared_length(u) * squared_length(v);
+}
+
+// The cosine of the angle at `apex` between the directions to `a` and `b`; 1 where one of them has no length,
+// as in a needle whose short side has shrunk to nothing.
+inline double corner_cosine(const Vector3& apex, const Vector3& a, const Vector3& b)
+{
+  const Vector3 u = a - apex, v = b - apex;
+  const double product = squared_length(u) * squared_length(v);
+  return product > 0 ? dot(u, v) / std::sqrt(product) : 1.;
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_VECTOR3_H

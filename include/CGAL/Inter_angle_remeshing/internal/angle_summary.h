@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_ANGLE_SUMMARY_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_ANGLE_SUMMARY_H
+
+#include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Adds the angles of the triangle abc to a sum whose `average` is that of |θ - 60|, for now.
+inline void add_angles(const Vector3& a, const Vector3& b, const Vector3& c, Remeshing_report::Angles& sum)
+{
+  const auto degrees = [](double cosine) {
+    return std::acos((std::max)(-1., (std::min)(1., cosine))) * (180 / CGAL_PI);
+  };
+  const double at_a = degrees(corner_cosine(a, b, c)), at_b = degrees(corner_cosine(b, c, a));
+  for (const double angle : {at_a, at_b, 180 - at_a - at_b}) {
+    sum.minimum = (std::min)(sum.minimum, angle);
+    sum.maximum = (std::max)(sum.maximum, angle);
+    sum.average += std::abs(angle - 60);
+  }
+}
+
+// The angles of the mesh. Sums are made per block and added in block order: the same for any number of threads.
+template <class ConcurrencyTag>
+Remeshing_report::Angles angle_summary(const Remeshing_mesh& mesh)
+{
+  using Index = Remeshing_mesh::Index;
+  const std::size_t slots = mesh.number_of_face_slots();
+  std::vector<Remeshing_report::Angles> parts(number_of_blocks(slots, SCAN_BLOCK), {180, 0, 0});
+  for_each_block<ConcurrencyTag>(slots, SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t block) {
+    for (std::size_t f = begin; f < end; ++f) {
+      if (!mesh.is_face(Index(f))) continue;
+      const Corner_table::Face& t = mesh.face_record(Index(f));
+      add_angles(mesh.position(t.vertex[0]), mesh.position(t.vertex[1]), mesh.position(t.vertex[2]), parts[block]);
+    }
+  });
+  if (mesh.number_of_live_faces() == 0) return {};
+  Remeshing_report::Angles result{180, 0, 0};
+  for (const Remeshing_report::Angles& part : parts) {
+    result.minimum = (std::min)(result.minimum, part.minimum);
+    result.maximum = (std::max)(result.maximum, part.maximum);
+    result.average += part.average;
+  }
+  result.average = 60 - result.average / (3. * double(mesh.number_of_live_faces()));
+  return result;
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_ANGLE_SUMMARY_H

@@ -1,0 +1,70 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_CLEAN_UP_PASS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_CLEAN_UP_PASS_H
+
+#include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
+
+#include <limits>
+
+// After the last iteration: removes free vertices of valence 4 and less, which are too poor to become regular, where
+// that lowers the sum of the squared valence deviations.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+constexpr int POOR_VALENCE = 4;
+// New edges of this many target lengths are let pass: the sweeps that follow even them out.
+constexpr double CLEAN_UP_LENGTH = 2;
+
+// By how much merging the source of h into its target changes the sum of the squared valence deviations.
+inline int collapse_gain(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  using Index = Remeshing_mesh::Index;
+  const Index a = mesh.origin(h), b = mesh.target(h);
+  const auto squared = [](int x) { return x * x; };
+  int gain = squared(mesh.deviation(b) + mesh.valence(a) - 4) - squared(mesh.deviation(a)) - squared(mesh.deviation(b));
+  for (const Index c : {mesh.apex(h), mesh.apex(mesh.opposite(h))})
+    gain += squared(mesh.deviation(c) - 1) - squared(mesh.deviation(c));
+  return gain;
+}
+
+// Returns the number of collapses.
+template <class Context>
+std::size_t clean_up_pass(Context& context)
+{
+  using Index = Remeshing_mesh::Index;
+  Remeshing_mesh& mesh = context.mesh;
+  const double length = context.target_length, tolerance = context.recipe.collapse_tolerance * length;
+  const Collapse_limits limits{CLEAN_UP_LENGTH * length * CLEAN_UP_LENGTH * length, tolerance * tolerance, 0,
+                               MAXIMUM_MERGED_VALENCE};
+  std::size_t collapses = 0;
+  for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
+    if (!mesh.is_vertex(v) || !mesh.is_free(v) || mesh.valence(v) > POOR_VALENCE) continue;
+    Index best = NO_COLLAPSE;
+    int best_gain = 0;
+    mesh.for_each_in_fan(mesh.first(v), [&](Index h) {
+      const int gain = collapse_gain(mesh, h);
+      if (gain >= best_gain || !is_collapse_fit(mesh, h, limits) || !mesh.is_collapse_legal(h) ||
+          !context.permits_collapse(h)) return;
+      best = h;
+      best_gain = gain;
+    });
+    if (best == NO_COLLAPSE) continue;
+    const Index kept = mesh.target(best);
+    context.visitor.before_collapse(Mesh_halfedge(best), mesh);
+    mesh.collapse(best);
+    context.visitor.after_collapse(Mesh_vertex(kept), mesh);
+    ++collapses;
+  }
+  return collapses;
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_CLEAN_UP_PASS_H

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_CONSTRAINTS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_CONSTRAINTS_H
+
+#include <CGAL/Inter_angle_remeshing/internal/mesh_exchange.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <vector>
+
+// Carries the user's marks over to the flat mesh, and back.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Stands for a property map that the user did not hand over.
+struct No_map {};
+
+template <class Map>
+constexpr bool is_given(const Map&) { return !std::is_same<Map, No_map>::value; }
+
+// A chain of border or feature edges that turns by this angle or more has a corner there. (Cosine of 45 degrees.)
+constexpr double CORNER_COSINE = 0.7071067811865476;
+
+struct Constraint_settings
+{
+  double sharpness_cosine;    // edges with a smaller dihedral cosine are features; under -1: none
+  bool protect;
+};
+
+// Whether the dihedral angle at h is larger than the bound. Degenerate faces are not sharp.
+inline bool is_sharp(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, double cosine)
+{
+  if (cosine < -1 || mesh.is_border(h)) return false;
+  const auto cross_product = [&](Remeshing_mesh::Index k) {
+    return triangle_cross(mesh.position(mesh.origin(k)), mesh.position(mesh.target(k)), mesh.position(mesh.apex(k)));
+  };
+  const Vector3 m = cross_product(h), n = cross_product(mesh.opposite(h));
+  const double product = squared_length(m) * squared_length(n);
+  return product > 0 && dot(m, n) < cosine * std::sqrt(product);
+}
+
+// Locks the corners of curves: ends, junctions and turns.
+inline void lock_corners(Remeshing_mesh& mesh)
+{
+  using Index = Remeshing_mesh::Index;
+  for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
+    if (!mesh.is_on_curve(v)) continue;
+    std::vector<Vector3> directions;
+    Index last = -1;
+    mesh.for_each_in_fan(mesh.first(v), [&](Index h) {
+      if (mesh.is_on_curve_edge(h)) directions.push_back(mesh.position(mesh.target(h)) - mesh.position(v));
+      last = h;
+    });
+    if (mesh.is_border_vertex(v)) directions.push_back(mesh.position(mesh.apex(last)) - mesh.position(v));
+    if (directions.size() != 2 || !is_cosine_at_least(directions[0], -1. * directions[1], CORNER_COSINE))
+      mesh.add_marks(v, Remeshing_mesh::LOCKED);
+  }
+}
+
+template <class Exchange, class EdgeIsConstrainedMap, class VertexIsConstrainedMap, class PatchMap, class TriangleMesh>
+void mark_constraints(Exchange& exchange, const TriangleMesh& tmesh, const EdgeIsConstrainedMap& ecm,
+                      const VertexIsConstrainedMap& vcm, const PatchMap& fpm, const Constraint_settings& settings)
+{
+  using Index = Remeshing_mesh::Index;
+  Remeshing_mesh& mesh = exchange.mesh();
+  exchange.for_each_edge([&](Index h, auto user) {
+    bool is_constrained = is_sharp(mesh, h, settings.sharpness_cosine);
+    if constexpr (!std::is_same<EdgeIsConstrainedMap, No_map>::value)
+      is_constrained = is_constrained || get(ecm, edge(user, tmesh));
+    if constexpr (!std::is_same<PatchMap, No_map>::value) {
+      const auto across = face(opposite(user, tmesh), tmesh);
+      is_constrained = is_constrained || (across != boost::graph_traits<TriangleMesh>::null_face() &&
+                                          !(get(fpm, face(user, tmesh)) == get(fpm, across)));
+    }
+    if (is_constrained) {
+      mesh.add_flags(h, Remeshing_mesh::CONSTRAINED);
+      mesh.add_marks(mesh.origin(h), Remeshing_mesh::ON_FEATURE);
+      mesh.add_marks(mesh.target(h), Remeshing_mesh::ON_FEATURE);
+    }
+    if (settings.protect && (is_constrained || mesh.is_border(h))) mesh.add_flags(h, Remeshing_mesh::PROTECTED);
+  });
+  if constexpr (!std::is_same<VertexIsConstrainedMap, No_map>::value)
+    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v)
+      if (get(vcm, exchange.input_vertices()[v])) mesh.add_marks(v, Remeshing_mesh::LOCKED);
+  lock_corners(mesh);
+}
+
+template <class Map>
+constexpr bool is_writable()
+{
+  return std::is_convertible<typename boost::property_traits<Map>::category, boost::writable_property_map_tag>::value;
+}
+
+// Makes the user's maps right for every edge and face of the result. `patches` are the patches of the input faces.
+template <class Exchange, class EdgeIsConstrainedMap, class PatchMap, class Patches, class TriangleMesh>
+void write_constraints(const Exchange& exchange, const Remeshing_mesh& mesh, const TriangleMesh& tmesh,
+                       const EdgeIsConstrainedMap& ecm, const PatchMap& fpm, const Patches& patches)
+{
+  using Index = Remeshing_mesh::Index;
+  (void)tmesh; (void)ecm; (void)fpm; (void)patches;
+  if constexpr (!std::is_same<EdgeIsConstrainedMap, No_map>::value)
+    if constexpr (is_writable<EdgeIsConstrainedMap>())
+      for (Index h = 0; h < 4 * Index(mesh.number_of_live_faces()); ++h)
+        if (mesh.corner(h) < 3 && (mesh.is_border(h) || mesh.opposite(h) > h))
+          put(ecm, edge(exchange.written_halfedge(h), tmesh), mesh.is_constrained(h));
+  if constexpr (!std::is_same<PatchMap, No_map>::value)
+    if constexpr (is_writable<PatchMap>())
+      for (Index f = 0; f < Index(mesh.number_of_live_faces()); ++f)
+        put(fpm, exchange.written_face(f), patches[mesh.face_record(f).source]);
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_CONSTRAINTS_H

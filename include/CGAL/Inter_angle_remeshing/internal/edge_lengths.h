@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_EDGE_LENGTHS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_EDGE_LENGTHS_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Appends one half-edge of each edge whose squared length lies outside of [low, high]. Lengths are taken face by face;
+// the adjacency is looked at for the few hits only.
+template <class ConcurrencyTag>
+std::vector<Remeshing_mesh::Index> edges_out_of(const Remeshing_mesh& mesh, double low, double high)
+{
+  using Index = Remeshing_mesh::Index;
+  std::vector<Index> found;
+  scan_into<ConcurrencyTag>(found, mesh.number_of_face_slots(), [&](std::size_t f, std::vector<Index>& out) {
+    const Index h = Index(4 * f);
+    if (!mesh.is_face(Index(f))) return;
+    const Vector3 &a = mesh.position(mesh.origin(h)), &b = mesh.position(mesh.origin(h + 1)),
+                  &c = mesh.position(mesh.origin(h + 2));
+    const double length[3] = {squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)};
+    if (length[0] >= low && length[0] <= high && length[1] >= low && length[1] <= high &&
+        length[2] >= low && length[2] <= high) return;
+    for (int k = 0; k < 3; ++k)
+      if ((length[k] < low || length[k] > high) && (mesh.is_border(h + k) || mesh.opposite(h + k) > h + k))
+        out.push_back(h + k);
+  });
+  return found;
+}
+
+inline double squared_longest_edge(const Remeshing_mesh& mesh)
+{
+  double longest = 0;
+  for (std::size_t f = 0; f < mesh.number_of_face_slots(); ++f)
+    if (mesh.is_face(Remeshing_mesh::Index(f)))
+      for (int k = 0; k < 3; ++k)
+        longest = (std::max)(longest, mesh.squared_edge_length(Remeshing_mesh::Index(4 * f + k)));
+  return longest;
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_EDGE_LENGTHS_H

@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_FLAT_COPY_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FLAT_COPY_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Descriptor_index.h>
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/refuse.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// A range of faces of the user's mesh as a flat mesh, and which element of the one is which of the other.
+template <class TriangleMesh>
+struct Flat_copy
+{
+  using Traits = boost::graph_traits<TriangleMesh>;
+
+  Remeshing_mesh mesh;
+  std::vector<typename Traits::face_descriptor> faces;          // by flat face
+  std::vector<typename Traits::halfedge_descriptor> halfedges;  // by flat face and corner: 3 f + k
+  std::vector<typename Traits::vertex_descriptor> vertices;     // by flat vertex
+
+  typename Traits::halfedge_descriptor halfedge(Remeshing_mesh::Index h) const
+  {
+    return halfedges[3 * (h >> 2) + (h & 3)];
+  }
+};
+
+// Reads a range of faces. Everything that makes an input unfit is refused here, before anything is changed.
+template <class TriangleMesh, class VertexPointMap>
+class Flat_copy_builder
+{
+  using Traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Traits::vertex_descriptor;
+  using halfedge_descriptor = typename Traits::halfedge_descriptor;
+  using Index = Remeshing_mesh::Index;
+
+public:
+  // `caller` is the public function in whose name unfit input is refused.
+  Flat_copy_builder(const TriangleMesh& tmesh, VertexPointMap vpm, const char* caller)
+    : tmesh_(tmesh), vpm_(vpm), caller_(caller)
+  {}
+
+  template <class FaceRange>
+  Flat_copy<TriangleMesh> build(const FaceRange& range)
+  {
+    read_faces(range);
+    glue_faces();
+    number_vertices();
+    scale();
+    return std::move(copy_);
+  }
+
+private:
+  // Face indices times four must fit into an index; half of the room is left to the remeshed mesh.
+  static constexpr std::size_t MAXIMUM_FACES = std::size_t((std::numeric_limits<Index>::max)()) / 8;
+  static constexpr int MAXIMUM_EXPONENT = 1000;   // 2^-1000 and 2^1000 are both normal numbers
+  static constexpr int MAXIMUM_VALENCE = (std::numeric_limits<std::uint16_t>::max)() / 4;
+
+  template <class FaceRange>
+  void read_faces(const FaceRange& range)
+  {
+    for (const auto f : range) {
+      const halfedge_descriptor h = halfedge(f, tmesh_);
+      if (next(next(next(h, tmesh_), tmesh_), tmesh_) != h)
+        refuse(caller_, "face number " + std::to_string(copy_.faces.size()) + " of the range is not a triangle; "
+                        "see CGAL::Polygon_mesh_processing::triangulate_faces()");
+      copy_.faces.push_back(f);
+    }
+    if (copy_.faces.size() > MAXIMUM_FACES)
+      refuse(caller_, "the range has more than " + std::to_string(MAXIMUM_FACES) + " faces");
+  }
+
+  void glue_faces()
+  {
+    Descriptor_index<typename Traits::face_descriptor> number(copy_.faces.size());
+    std::size_t n = 0;
+    for (const auto& f : copy_.faces)   // a face that the range lists twice is taken once
+      if (number.insert(f, Index(n)).second) copy_.faces[n++] = f;
+    copy_.faces.resize(n);
+
+    copy_.halfedges.resize(3 * n);
+    copy_.mesh.reserve_faces(n + n / 8);
+    copy_.mesh.resize_faces(n);
+    for (std::size_t f = 0; f < n; ++f) {
+      halfedge_descriptor h = halfedge(copy_.faces[f], tmesh_);
+      for (int k = 0; k < 3; ++k, h = next(h, tmesh_)) copy_.halfedges[3 * f + k] = h;
+      copy_.mesh.face_record(Index(f)).source = Index(f);
+    }
+    for (std::size_t f = 0; f < n; ++f)
+      for (int k = 0; k < 3; ++k) glue_corner(Index(4 * f + k), number);
+  }
+
+  void glue_corner(Index h, const Descriptor_index<typename Traits::face_descriptor>& number)
+  {
+    if (copy_.mesh.opposite(h) != -1) return;
+    const halfedge_descriptor o = opposite(copy_.halfedge(h), tmesh_);
+    const auto f = face(o, tmesh_);
+    const Index g = f == Traits::null_face() ? -1 : number.find(f);
+    if (g < 0) { copy_.mesh.glue(h, ~h); return; }
+    for (int k = 0; k < 3; ++k)
+      if (copy_.halfedges[3 * g + k] == o) copy_.mesh.glue(h, 4 * g + k);
+  }
+
+  // A flat vertex for each fan: a vertex at which several fans meet becomes several, all of them pinched.
+  void number_vertices()
+  {
+    Remeshing_mesh& mesh = copy_.mesh;
+    Descriptor_index<vertex_descriptor> number(copy_.faces.size() + 3);
+    mesh.reserve_vertices(copy_.faces.size() / 2 + copy_.faces.size() / 16 + 8);
+    for (Index h = 0; h < Index(4 * copy_.faces.size()); ++h) {
+      if (mesh.corner(h) == 3 || mesh.origin(h) >= 0) continue;
+      const Index v = Index(copy_.vertices.size());
+      const vertex_descriptor user_vertex = source(copy_.halfedge(h), tmesh_);
+      copy_.vertices.push_back(user_vertex);
+      mesh.resize_vertices(copy_.vertices.size());
+      mesh.set_input(v, v);
+      number_fan(h, v);
+      mesh.position(v) = read_point(user_vertex);
+      const auto [known, is_new] = number.insert(user_vertex, v);
+      if (!is_new) {
+        mesh.add_marks(v, Remeshing_mesh::PINCHED);
+        mesh.add_marks(known, Remeshing_mesh::PINCHED);
+      }
+    }
+  }
+
+  void number_fan(Index h, Index v)
+  {
+    Remeshing_mesh& mesh = copy_.mesh;
+    const Index first = mesh.fan_start(h);
+    const halfedge_descriptor known = halfedge(copy_.vertices[v], tmesh_);
+    int faces = 0;
+    bool has_known = opposite(copy_.halfedge(first), tmesh_) == known;
+    mesh.for_each_in_fan(first, [&](Index k) {
+      ++faces;
+      mesh.set_origin(k, v);
+      has_known |= copy_.halfedge(mesh.prev(k)) == known;
+    });
+    const bool is_border = mesh.is_border(first);
+    if (faces > MAXIMUM_VALENCE)
+      refuse(caller_, "vertex number " + std::to_string(v) + " of the range has " + std::to_string(faces) +
+                      " faces; at most " + std::to_string(MAXIMUM_VALENCE) + " are supported");
+    mesh.set_first(v, first);
+    mesh.set_valence(v, faces + (is_border ? 1 : 0));
+    if (is_border) mark_border(v, first);
+    // The vertex is known by a half-edge that this fan does not have: there is one more fan, which the range lacks.
+    if (!has_known && !(mesh.marks(v) & Remeshing_mesh::NEXT_TO_OUTSIDE))
+      mesh.add_marks(v, Remeshing_mesh::PINCHED);
+  }
+
+  void mark_border(Index v, Index first)
+  {
+    Remeshing_mesh& mesh = copy_.mesh;
+    mesh.add_marks(v, Remeshing_mesh::ON_BORDER);
+    Index last = first;
+    for (Index k = first; k >= 0; k = mesh.rotate_ccw(k)) last = k;
+    if (has_outside_face(first) || has_outside_face(mesh.prev(last)))
+      mesh.add_marks(v, Remeshing_mesh::NEXT_TO_OUTSIDE);
+  }
+
+  bool has_outside_face(Index h) const
+  {
+    return face(opposite(copy_.halfedge(h), tmesh_), tmesh_) != Traits::null_face();
+  }
+
+  Vector3 read_point(vertex_descriptor v) const
+  {
+    const auto& p = get(vpm_, v);
+    const Vector3 q{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+    if (!is_finite(q))
+      refuse(caller_, "vertex number " + std::to_string(copy_.vertices.size() - 1) +
+                      " of the range has a coordinate that is not finite");
+    return q;
+  }
+
+  // Multiplies by the power of two that brings the largest extent into [1/2, 1): squares and products then neither
+  // overflow nor vanish, and the way back is exact.
+  void scale()
+  {
+    Remeshing_mesh& mesh = copy_.mesh;
+    double extent = 0;
+    if (mesh.number_of_vertex_slots() == 0) return;
+    const Vector3 origin = mesh.position(0);
+    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
+      const Vector3 d = mesh.position(v) - origin;
+      extent = (std::max)({extent, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    }
+    if (!(extent > 0)) refuse(caller_, "all points of the range are equal");
+    if (!std::isfinite(extent)) refuse(caller_, "the extent of the range is too large for double precision");
+    int exponent;
+    std::frexp(extent, &exponent);
+    exponent = (std::max)(-MAXIMUM_EXPONENT, (std::min)(MAXIMUM_EXPONENT, exponent));
+    const double factor = std::ldexp(1., -exponent);
+    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v)
+      mesh.position(v) = factor * mesh.position(v);
+    mesh.set_unit(std::ldexp(1., exponent));
+  }
+
+  const TriangleMesh& tmesh_;
+  VertexPointMap vpm_;
+  const char* caller_;
+  Flat_copy<TriangleMesh> copy_;
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_FLAT_COPY_H

@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_FLIP_PASS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FLIP_PASS_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/evaluate_then_apply.h>
+
+#include <algorithm>
+#include <vector>
+
+// Flips edges where that brings the valences nearer to 6, or to 4 on the border (Zheng and Lv, edge flipping).
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Smallest cosine between the normal of a face that a flip makes and the sum of the two faces' normals: 45 degrees.
+constexpr double FLIP_NORMAL_COSINE = 0.7;
+// Beside a curve, whose vertices do not move away from a bad face, a flip must not make an angle under 20 degrees
+// that is smaller than the smallest one before. (Cosine of that angle.)
+constexpr double CURVE_ANGLE_COSINE = 0.9396926207859084;
+
+// By how much a flip changes the sum of the squared valence deviations: two ends lose an edge, the apexes gain one.
+inline int flip_gain(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh::Index o = mesh.opposite(h);
+  return 4 + 2 * (mesh.deviation(mesh.apex(h)) + mesh.deviation(mesh.apex(o)) -
+                  mesh.deviation(mesh.origin(h)) - mesh.deviation(mesh.origin(o)));
+}
+
+// The largest corner cosine of a triangle: that of its smallest angle.
+inline double smallest_angle_cosine(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  return (std::max)({corner_cosine(a, b, c), corner_cosine(b, c, a), corner_cosine(c, a, b)});
+}
+
+inline bool is_flip_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh::Index o = mesh.opposite(h);
+  const Remeshing_mesh::Index v[4] = {mesh.origin(h), mesh.origin(o), mesh.apex(h), mesh.apex(o)};
+  const Vector3 &a = mesh.position(v[0]), &b = mesh.position(v[1]), &c = mesh.position(v[2]), &d = mesh.position(v[3]);
+  const Vector3 sum = triangle_cross(a, b, c) + triangle_cross(b, a, d);
+  if (!is_cosine_at_least(triangle_cross(a, d, c), sum, FLIP_NORMAL_COSINE) ||
+      !is_cosine_at_least(triangle_cross(d, b, c), sum, FLIP_NORMAL_COSINE)) return false;
+  if (std::none_of(v, v + 4, [&](Remeshing_mesh::Index u) { return mesh.is_on_curve(u); })) return true;
+  const double after = (std::max)(smallest_angle_cosine(a, d, c), smallest_angle_cosine(d, b, c));
+  return after <= CURVE_ANGLE_COSINE ||
+         after <= (std::max)(smallest_angle_cosine(a, b, c), smallest_angle_cosine(b, a, d));
+}
+
+template <class Context>
+bool is_flip_allowed(const Context& context, Remeshing_mesh::Index h, bool is_transient)
+{
+  return context.mesh.is_flip_legal(h) && is_flip_fit(context.mesh, h) && context.permits_flip(h, is_transient);
+}
+
+template <class Context>
+void flip(Context& context, Remeshing_mesh::Index h)
+{
+  Remeshing_mesh& mesh = context.mesh;
+  context.visitor.before_flip(Mesh_halfedge(h), mesh);
+  mesh.flip(h);
+  context.visitor.after_flip(Mesh_halfedge(mesh.next(h)), mesh);
+}
+
+// Half-edges whose flip would pay: it takes an edge from a vertex of too many, or gives one to a vertex that lacks
+// two and whose neighbors across have none too few.
+inline void find_paying_flips(const Remeshing_mesh& mesh, Remeshing_mesh::Index v,
+                              std::vector<Remeshing_mesh::Index>& found)
+{
+  using Index = Remeshing_mesh::Index;
+  const int deviation = mesh.deviation(v);
+  const auto pays = [&](Index h) { return !mesh.is_border(h) && flip_gain(mesh, h) < 0; };
+  if (deviation >= 1)
+    mesh.for_each_in_fan(mesh.first(v), [&](Index h) { if (pays(h)) found.push_back(h); });
+  else if (deviation <= -2)
+    mesh.for_each_in_fan(mesh.first(v), [&](Index h) {
+      const Index e = mesh.next(h);
+      if (mesh.deviation(mesh.origin(e)) <= 0 && mesh.deviation(mesh.target(e)) <= 0 && pays(e)) found.push_back(e);
+    });
+}
+
+// Returns the number of flips.
+template <class ConcurrencyTag, class Context>
+std::size_t flip_pass(Context& context)
+{
+  using Index = Remeshing_mesh::Index;
+  Remeshing_mesh& mesh = context.mesh;
+  std::vector<Index> candidates;
+  scan_into<ConcurrencyTag>(candidates, mesh.number_of_vertex_slots(), [&](std::size_t v, std::vector<Index>& found) {
+    if (mesh.is_vertex(Index(v))) find_paying_flips(mesh, Index(v), found);
+  });
+  std::size_t flips = 0;
+  evaluate_then_apply<ConcurrencyTag>(mesh, candidates,
+    [&](Index h) -> bool {
+      return !mesh.is_border(h) && flip_gain(mesh, h) < 0 && is_flip_allowed(context, h, false);
+    },
+    [&](Index h, bool is_to_flip) {
+      if (!is_to_flip) return;
+      flip(context, h);
+      ++flips;
+    });
+  return flips;
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_FLIP_PASS_H

@@ -1,0 +1,276 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_MESH_EXCHANGE_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_MESH_EXCHANGE_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh_graph.h>
+#include <CGAL/Inter_angle_remeshing/internal/flat_copy.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// The user's range -> flat mesh, flat mesh -> the user's mesh: the only code that touches the user's mesh.
+//
+// What the user holds on to stays: a vertex that survives keeps its descriptor, and its point to the last bit if it
+// was not moved; protected edges keep theirs; faces and other edges are used again before new ones are made. Faces
+// outside of the range are not touched: the border between them and the range is protected.
+template <class TriangleMesh, class VertexPointMap>
+class Mesh_exchange
+{
+  using Traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Traits::vertex_descriptor;
+  using halfedge_descriptor = typename Traits::halfedge_descriptor;
+  using edge_descriptor = typename Traits::edge_descriptor;
+  using face_descriptor = typename Traits::face_descriptor;
+  using Point_3 = typename boost::property_traits<VertexPointMap>::value_type;
+  using Index = Remeshing_mesh::Index;
+
+public:
+  template <class FaceRange>
+  Mesh_exchange(const FaceRange& range, TriangleMesh& tmesh, VertexPointMap vpm, const char* caller)
+    : tmesh_(tmesh), vpm_(vpm), caller_(caller),
+      copy_(Flat_copy_builder<TriangleMesh, VertexPointMap>(tmesh, vpm, caller).build(range))
+  {}
+
+  // The user's vertices, by their number in the input.
+  const std::vector<vertex_descriptor>& input_vertices() const { return copy_.vertices; }
+
+  // Calls `function(h, user's half-edge)` for one half-edge of each edge, before take_mesh().
+  template <class Function>
+  void for_each_edge(const Function& function) const
+  {
+    for (Index h = 0; h < 4 * Index(copy_.faces.size()); ++h)
+      if (copy_.mesh.corner(h) < 3 && (copy_.mesh.is_border(h) || copy_.mesh.opposite(h) > h))
+        function(h, copy_.halfedge(h));
+  }
+  Remeshing_mesh& mesh() { return copy_.mesh; }
+
+  // The user's faces, by their number in the input: Corner_table::Face::source.
+  const std::vector<face_descriptor>& input_faces() const { return copy_.faces; }
+
+  // Hands the flat mesh over, all marks and flags set, to be remeshed.
+  Remeshing_mesh take_mesh()
+  {
+    protect_what_is_shared();
+    sort_edges();
+    return std::move(copy_.mesh);
+  }
+
+  // Replaces the range by the mesh. Everything that may fail for want of memory comes first; if it does, what was
+  // added is taken back, and the exception goes on. `mesh` must have no free slots.
+  void write(const Remeshing_mesh& mesh)
+  {
+    plan(mesh);
+    make_room(mesh);
+    connect(mesh);
+    set_points(mesh);
+    remove_the_rest();
+  }
+
+  // After write(): the user's half-edge of h, and the user's face of f.
+  halfedge_descriptor written_halfedge(Index h) const { return halfedge_of_[3 * (h >> 2) + (h & 3)]; }
+  face_descriptor written_face(Index f) const { return copy_.faces[f]; }
+
+private:
+  // A protected edge: found again by its ends, as numbers of input vertices.
+  struct Kept_edge
+  {
+    Index source, target;
+    halfedge_descriptor halfedge;
+    bool operator<(const Kept_edge& e) const
+    {
+      return source != e.source ? source < e.source : target < e.target;
+    }
+  };
+
+  // Protects the edges towards faces outside, those of the border that end there, and all around pinched vertices;
+  // then locks the ends of protected edges.
+  void protect_what_is_shared()
+  {
+    Remeshing_mesh& mesh = copy_.mesh;
+    constexpr unsigned SHARED = Remeshing_mesh::NEXT_TO_OUTSIDE | Remeshing_mesh::PINCHED;
+    for_each_edge([&](Index h, halfedge_descriptor user) {
+      const unsigned ends = mesh.marks(mesh.origin(h)) | mesh.marks(mesh.target(h));
+      const Index o = mesh.opposite(h);
+      const unsigned apexes = mesh.marks(mesh.apex(h)) | (o >= 0 ? mesh.marks(mesh.apex(o)) : 0);
+      const bool is_outer = mesh.is_border(h) && face(opposite(user, tmesh_), tmesh_) != Traits::null_face();
+      if (is_outer || (mesh.is_border(h) && (ends & SHARED)) || ((ends | apexes) & Remeshing_mesh::PINCHED))
+        mesh.add_flags(h, Remeshing_mesh::PROTECTED);
+    });
+    for_each_edge([&](Index h, halfedge_descriptor) {
+      if (!mesh.is_protected(h)) return;
+      mesh.add_marks(mesh.origin(h), Remeshing_mesh::LOCKED);
+      mesh.add_marks(mesh.target(h), Remeshing_mesh::LOCKED);
+    });
+  }
+
+  // Which edges keep their descriptor, and which may be used for any edge.
+  void sort_edges()
+  {
+    const Remeshing_mesh& mesh = copy_.mesh;
+    for_each_edge([&](Index h, halfedge_descriptor user) {
+      if (!mesh.is_protected(h)) { spare_edges_.push_back(user); return; }
+      kept_edges_.push_back({mesh.origin(h), mesh.target(h), user});
+      kept_edges_.push_back({mesh.target(h), mesh.origin(h), opposite(user, tmesh_)});
+    });
+    std::sort(kept_edges_.begin(), kept_edges_.end());
+    const auto twin = std::adjacent_find(kept_edges_.begin(), kept_edges_.end(), [](const auto& a, const auto& b) {
+      return !(a < b);
+    });
+    if (twin != kept_edges_.end())
+      refuse(caller_, "two constrained or shared edges of the range join the same two vertices, numbers " +
+                      std::to_string(twin->source) + " and " + std::to_string(twin->target));
+    std::vector<halfedge_descriptor>().swap(copy_.halfedges);
+  }
+
+  // Allocates what write() needs beside the user's mesh.
+  void plan(const Remeshing_mesh& mesh)
+  {
+    halfedge_of_.assign(3 * mesh.number_of_live_faces(), Traits::null_halfedge());
+    vertex_of_.assign(mesh.number_of_live_vertices(), Traits::null_vertex());
+    is_kept_.assign(copy_.vertices.size(), 0);
+    new_vertices_.clear();
+    for (Index v = 0; v < Index(vertex_of_.size()); ++v) {
+      const Index i = mesh.input(v);
+      if (i < 0) { new_vertices_.push_back(v); continue; }
+      vertex_of_[v] = copy_.vertices[i];
+      is_kept_[i] = 1;
+    }
+    edges_needed_ = 0;
+    for (Index h = 0; h < 4 * Index(mesh.number_of_live_faces()); ++h)
+      if (mesh.corner(h) < 3 && names_edge(mesh, h) && !mesh.is_protected(h)) ++edges_needed_;
+    faces_before_ = copy_.faces.size();
+    edges_before_ = spare_edges_.size();
+    copy_.faces.reserve(mesh.number_of_live_faces());
+    spare_edges_.reserve(edges_needed_);
+  }
+
+  static bool names_edge(const Remeshing_mesh& mesh, Index h) { return mesh.is_border(h) || mesh.opposite(h) > h; }
+
+  void make_room(const Remeshing_mesh& mesh)
+  {
+    std::size_t made = 0;
+    try {
+      for (; made < new_vertices_.size(); ++made) vertex_of_[new_vertices_[made]] = add_vertex(tmesh_);
+      while (copy_.faces.size() < mesh.number_of_live_faces()) copy_.faces.push_back(add_face(tmesh_));
+      while (spare_edges_.size() < edges_needed_) spare_edges_.push_back(halfedge(add_edge(tmesh_), tmesh_));
+    } catch (...) {
+      while (made > 0) remove_vertex(vertex_of_[new_vertices_[--made]], tmesh_);
+      for (; copy_.faces.size() > faces_before_; copy_.faces.pop_back()) remove_face(copy_.faces.back(), tmesh_);
+      for (; spare_edges_.size() > edges_before_; spare_edges_.pop_back())
+        remove_edge(edge(spare_edges_.back(), tmesh_), tmesh_);
+      throw;
+    }
+  }
+
+  halfedge_descriptor& halfedge_of(Index h) { return halfedge_of_[3 * (h >> 2) + (h & 3)]; }
+
+  // The user's half-edge of the protected half-edge h.
+  halfedge_descriptor kept_halfedge(const Remeshing_mesh& mesh, Index h) const
+  {
+    const Kept_edge key{mesh.input(mesh.origin(h)), mesh.input(mesh.target(h)), halfedge_descriptor()};
+    return std::lower_bound(kept_edges_.begin(), kept_edges_.end(), key)->halfedge;
+  }
+
+  void connect(const Remeshing_mesh& mesh)
+  {
+    const Index corners = 4 * Index(mesh.number_of_live_faces());
+    edges_used_ = 0;
+    for (Index h = 0; h < corners; ++h) {
+      if (mesh.corner(h) == 3 || !names_edge(mesh, h)) continue;
+      halfedge_of(h) = mesh.is_protected(h) ? kept_halfedge(mesh, h) : spare_edges_[edges_used_++];
+      if (!mesh.is_border(h)) halfedge_of(mesh.opposite(h)) = opposite(halfedge_of(h), tmesh_);
+    }
+    for (Index h = 0; h < corners; ++h) {
+      if (mesh.corner(h) == 3) continue;
+      const halfedge_descriptor user = halfedge_of(h);
+      set_target(user, vertex_of_[mesh.target(h)], tmesh_);
+      set_next(user, halfedge_of(mesh.next(h)), tmesh_);
+      set_face(user, copy_.faces[h >> 2], tmesh_);
+      if (mesh.corner(h) == 0) set_halfedge(copy_.faces[h >> 2], user, tmesh_);
+    }
+    for (Index h = 0; h < corners; ++h)
+      if (mesh.corner(h) < 3 && mesh.is_border(h)) connect_border(mesh, h);
+    for (Index v = 0; v < Index(vertex_of_.size()); ++v) connect_vertex(mesh, v);
+  }
+
+  // The border side of h. Where a protected edge of the border ends next to faces outside, or at a pinched vertex,
+  // the chain of the border runs on as it did.
+  void connect_border(const Remeshing_mesh& mesh, Index h)
+  {
+    const halfedge_descriptor side = opposite(halfedge_of(h), tmesh_);
+    if (mesh.is_protected(h) && face(side, tmesh_) != Traits::null_face()) return;
+    set_face(side, Traits::null_face(), tmesh_);
+    set_target(side, vertex_of_[mesh.origin(h)], tmesh_);
+    if (mesh.marks(mesh.origin(h)) & (Remeshing_mesh::NEXT_TO_OUTSIDE | Remeshing_mesh::PINCHED)) return;
+    const Mesh_halfedge following = next(Mesh_halfedge(~h), mesh);
+    set_next(side, opposite(halfedge_of(~following.index()), tmesh_), tmesh_);
+  }
+
+  void connect_vertex(const Remeshing_mesh& mesh, Index v)
+  {
+    const unsigned marks = mesh.marks(v);
+    if (marks & Remeshing_mesh::PINCHED) return;
+    if ((marks & Remeshing_mesh::NEXT_TO_OUTSIDE) &&
+        CGAL::is_border(halfedge(vertex_of_[v], tmesh_), tmesh_)) return;
+    set_halfedge(vertex_of_[v], opposite(halfedge_of(mesh.first(v)), tmesh_), tmesh_);
+  }
+
+  void set_points(const Remeshing_mesh& mesh)
+  {
+    for (Index v = 0; v < Index(vertex_of_.size()); ++v) {
+      const Vector3 p = mesh.unit() * mesh.position(v);
+      if (mesh.input(v) >= 0 && p == as_vector(get(vpm_, vertex_of_[v]))) continue;
+      put(vpm_, vertex_of_[v], Point_3(p.x, p.y, p.z));
+    }
+  }
+
+  template <class Point>
+  static Vector3 as_vector(const Point& p)
+  {
+    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+  }
+
+  void remove_the_rest()
+  {
+    for (std::size_t i = 0; i < is_kept_.size(); ++i)
+      if (!is_kept_[i]) remove_vertex(copy_.vertices[i], tmesh_);
+    for (std::size_t i = edges_used_; i < spare_edges_.size(); ++i)
+      remove_edge(edge(spare_edges_[i], tmesh_), tmesh_);
+    const std::size_t faces_used = halfedge_of_.size() / 3;
+    for (std::size_t i = faces_used; i < copy_.faces.size(); ++i) remove_face(copy_.faces[i], tmesh_);
+  }
+
+  TriangleMesh& tmesh_;
+  VertexPointMap vpm_;
+  const char* caller_;
+  Flat_copy<TriangleMesh> copy_;
+  std::vector<Kept_edge> kept_edges_;
+  std::vector<halfedge_descriptor> spare_edges_;
+
+  std::vector<halfedge_descriptor> halfedge_of_;    // by flat corner: 3 f + k
+  std::vector<vertex_descriptor> vertex_of_;        // by flat vertex
+  std::vector<Index> new_vertices_;
+  std::vector<char> is_kept_;                       // by input vertex
+  std::size_t edges_needed_ = 0, edges_used_ = 0, faces_before_ = 0, edges_before_ = 0;
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_MESH_EXCHANGE_H

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_NAMED_PARAMETERS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_NAMED_PARAMETERS_H
+
+#include <CGAL/Inter_angle_remeshing/Default_visitor.h>
+#include <CGAL/Inter_angle_remeshing/Face_count.h>
+#include <CGAL/Inter_angle_remeshing/Recipe.h>
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/constraints.h>
+#include <CGAL/Inter_angle_remeshing/internal/refuse.h>
+
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/number_type_config.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <type_traits>
+
+// From what get_parameter() yields to what the remesher takes. What does not fit is refused in words: by a
+// static_assert where the type is wrong, by an exception where the value is.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+using Not_given = CGAL::internal_np::Param_not_found;
+
+template <class Length>
+constexpr void check_length_type()
+{
+  using Category = typename CGAL::Algebraic_structure_traits<Length>::Algebraic_category;
+  static_assert(std::is_same<Length, Face_count>::value || !std::is_same<Category, CGAL::Null_tag>::value,
+                "isotropic_remeshing(): the length must be a number or Face_count(n). Sizing fields and functions of "
+                "the position are not supported yet.");
+}
+
+template <class NamedParameters, class Tag>
+constexpr bool has_parameter()
+{
+  using Given = typename CGAL::internal_np::Get_param<typename NamedParameters::base, Tag>::type;
+  return !std::is_same<Given, Not_given>::value;
+}
+
+// Parameters of PMP's function, or of its siblings, that a user may expect to work.
+template <class NamedParameters>
+constexpr void refuse_unsupported()
+{
+  static_assert(!has_parameter<NamedParameters, CGAL::internal_np::allow_move_functor_t>(),
+                "isotropic_remeshing(): allow_move_functor is not supported; constrain vertices by "
+                "vertex_is_constrained_map.");
+}
+
+inline No_map or_no_map(const Not_given&) { return {}; }
+template <class Map>
+Map or_no_map(const Map& map) { return map; }
+
+template <class Vertex, class Preset>
+Preset policy_from(const Not_given&, const Preset& preset) { return preset; }
+
+template <class Vertex, class Given, class Preset>
+auto policy_from(const Given& given, const Preset&)
+{
+  if constexpr (std::is_arithmetic<Given>::value)
+    return Constant_policy{bool(given)};
+  else {
+    static_assert(std::is_invocable_r<bool, const Given&, const Run_profile<Vertex>&>::value,
+                  "do_split, do_collapse, do_flip: expected a bool or a policy "
+                  "`template <class Profile> bool operator()(const Profile&) const`.");
+    return given;
+  }
+}
+
+inline Default_visitor& visitor_from(Not_given&, Default_visitor& preset) { return preset; }
+template <class Visitor>
+Visitor& visitor_from(std::reference_wrapper<Visitor>& given, Default_visitor&) { return given.get(); }
+template <class Visitor>
+Visitor& visitor_from(Visitor& given, Default_visitor&) { return given; }
+
+inline std::function<bool(double)> callback_from(const Not_given&) { return {}; }
+template <class Callback>
+std::function<bool(double)> callback_from(const Callback& callback)
+{
+  static_assert(std::is_convertible<Callback, std::function<bool(double)>>::value,
+                "callback: expected a functor `bool operator()(double)`: progress in, whether to go on out.");
+  return callback;
+}
+
+template <class Angle>
+double sharpness_cosine(const Angle& angle)
+{
+  const double degrees = CGAL::to_double(angle);
+  if (!(degrees >= 0 && degrees <= 180))
+    refuse("isotropic_remeshing()", "sharpness_angle is " + std::to_string(degrees) + "; it must lie in [0, 180]");
+  return degrees < 180 ? std::cos(degrees * (CGAL_PI / 180)) : -2;
+}
+
+template <class Count>
+unsigned count_from(const Count& count, const char* name)
+{
+  static_assert(std::is_integral<Count>::value, "number_of_iterations, number_of_relaxation_steps: expected an integer.");
+  if (count < Count(0))
+    refuse("isotropic_remeshing()", std::string(name) + " is " + std::to_string(count) + "; it must not be negative");
+  return static_cast<unsigned>(count);
+}
+
+inline void set_sweeps(Recipe&, const Not_given&) {}
+template <class Count>
+void set_sweeps(Recipe& recipe, const Count& sweeps)
+{
+  recipe.sweeps = recipe.last_sweeps = count_from(sweeps, "number_of_relaxation_steps");
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_NAMED_PARAMETERS_H

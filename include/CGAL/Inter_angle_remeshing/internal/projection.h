@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_PROJECTION_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_PROJECTION_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Reference_surface.h>
+#include <CGAL/Inter_angle_remeshing/internal/Vector3.h>
+
+#include <boost/property_map/property_map.hpp>
+
+// The projectors that passes see: `Vector3 operator()(const Vector3& q, Index& hint) const`, in the units of the flat
+// mesh. `hint` is the face where a walk starts and ends; projectors that know no faces leave it alone.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Onto the closest point of the surface near the hint.
+struct Surface_projection
+{
+  static constexpr bool IS_CONCURRENT = true;
+
+  const Reference_surface& surface;
+  double factor = 1;                     // from the flat mesh's units to the surface's, a power of two
+
+  Vector3 operator()(const Vector3& q, Corner_table::Index& hint) const
+  {
+    return (1 / factor) * surface.walk(factor * q, hint);
+  }
+};
+
+struct No_projection
+{
+  static constexpr bool IS_CONCURRENT = true;
+
+  Vector3 operator()(const Vector3& q, Corner_table::Index&) const { return q; }
+};
+
+// By a functor of the user's that takes a point.
+template <class Functor, class Point_3>
+struct Point_functor_projection
+{
+  static constexpr bool IS_CONCURRENT = true;
+
+  const Functor& functor;
+  double unit;
+
+  Vector3 operator()(const Vector3& q, Corner_table::Index&) const
+  {
+    const Vector3 p = unit * q;
+    const Point_3 r = functor(Point_3(p.x, p.y, p.z));
+    return (1 / unit) * Vector3{CGAL::to_double(r.x()), CGAL::to_double(r.y()), CGAL::to_double(r.z())};
+  }
+};
+
+// By a functor of the user's that takes a vertex and reads its point. One vertex of the range carries the points of
+// all the others to it; its own point comes back when this object goes, whatever happens.
+template <class Functor, class Vertex, class VertexPointMap>
+class Vertex_functor_projection
+{
+  using Point_3 = typename boost::property_traits<VertexPointMap>::value_type;
+
+public:
+  static constexpr bool IS_CONCURRENT = false;
+
+  Vertex_functor_projection(const Functor& functor, Vertex carrier, VertexPointMap vpm, double unit)
+    : functor_(functor), carrier_(carrier), vpm_(vpm), unit_(unit), point_(get(vpm, carrier))
+  {}
+  Vertex_functor_projection(const Vertex_functor_projection&) = delete;
+  Vertex_functor_projection& operator=(const Vertex_functor_projection&) = delete;
+  ~Vertex_functor_projection() { put(vpm_, carrier_, point_); }
+
+  Vector3 operator()(const Vector3& q, Corner_table::Index&) const
+  {
+    const Vector3 p = unit_ * q;
+    put(vpm_, carrier_, Point_3(p.x, p.y, p.z));
+    const Point_3 r = functor_(carrier_);
+    return (1 / unit_) * Vector3{CGAL::to_double(r.x()), CGAL::to_double(r.y()), CGAL::to_double(r.z())};
+  }
+
+private:
+  const Functor& functor_;
+  Vertex carrier_;
+  VertexPointMap vpm_;
+  double unit_;
+  Point_3 point_;
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_PROJECTION_H

@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_REFUSE_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REFUSE_H
+
+#include <CGAL/exceptions.h>
+
+#include <string>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Refuses an argument in words, in release builds too: CGAL's own checks vanish with NDEBUG.
+[[noreturn]] inline void refuse(const char* function, const std::string& what_is_wrong)
+{
+  throw CGAL::Precondition_exception("Inter_angle_remeshing", function, __FILE__, __LINE__, what_is_wrong);
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_REFUSE_H

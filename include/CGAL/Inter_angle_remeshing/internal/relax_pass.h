@@ -1,0 +1,238 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_RELAX_PASS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_RELAX_PASS_H
+
+#include <CGAL/Inter_angle_remeshing/Recipe.h>
+#include <CGAL/Inter_angle_remeshing/internal/Sweep_data.h>
+#include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+// Moves vertices tangentially towards the centre of their neighbors and pulls them back onto the surface (Zheng and
+// Lv, relocation): p' = p + λ (I - n nᵀ)(centre - p). Sweeps run in place (Gauss-Seidel) with λ > 1.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// How flat a star is: ρ = |Σ c| / Σ |c| over the cross products c of its faces, 1 in a plane. Under the first bound
+// a vertex, the tip of a spike, stays; from the second on it takes the whole step.
+constexpr double RHO_FIXED = 0.6, RHO_FREE = 0.85;
+// Stars less flat than this take guarded steps.
+constexpr double RHO_GUARDED = 0.9;
+// Sweeps for which normals and dampings hold.
+constexpr unsigned SWEEPS_A_REFRESH = 4;
+// Smallest cosine between the normals of a face before and after a guarded step: 60 degrees.
+constexpr double STEP_NORMAL_COSINE = 0.5;
+// A guarded step is tried in full, by half and by a quarter.
+constexpr int STEP_TRIALS = 3;
+
+// When vertices are pulled back onto the surface; guarded steps always are.
+enum class Pull_back { never, after_last_sweep, after_each_sweep };
+
+class Relaxation
+{
+public:
+  using Index = Sweep_data::Index;
+
+  explicit Relaxation(const Recipe& recipe) : recipe_(recipe) {}
+
+  // Returns the number of vertices that may have moved.
+  template <class ConcurrencyTag, class Projector>
+  std::size_t run(Remeshing_mesh& mesh, const Projector& projector, unsigned sweeps, Pull_back pull_back);
+
+private:
+  using Mobility = Sweep_data::Mobility;
+
+  // The star of a vertex: the sum of its faces' cross products, the sum of their lengths, and the step to the centre.
+  struct Star
+  {
+    Vector3 cross;
+    double area = 0;
+    Vector3 to_centre;
+  };
+
+  Star star(std::size_t i) const;
+  template <int VALENCE>
+  Star star_of(std::size_t i, int valence) const;
+  Vector3 to_centre(std::size_t i) const;
+  Vector3 to_weighted_centre(std::size_t i) const;
+
+  static double damping(double rho)
+  {
+    return (std::min)(1., (std::max)(0., (rho - RHO_FIXED) / (RHO_FREE - RHO_FIXED)));
+  }
+
+  template <class Projector>
+  void sweep(std::size_t begin, std::size_t end, bool is_refresh, const Projector& projector);
+  template <class Projector>
+  void take_guarded_step(std::size_t i, const Vector3& step, const Projector& projector);
+  template <class ConcurrencyTag, class Projector>
+  void project_all(const Projector& projector);
+
+  const Recipe& recipe_;
+  Sweep_data data_;
+  std::vector<Vector3> normal_;       // unit
+  std::vector<double> step_factor_;   // λ times damping; negative: guarded
+};
+
+template <int VALENCE>
+Relaxation::Star Relaxation::star_of(std::size_t i, int valence) const
+{
+  const int n = VALENCE > 0 ? VALENCE : valence;
+  const Index* ring = data_.ring(i);
+  const Vector3& p = data_.position[i];
+  Star result;
+  Vector3 sum;
+  Vector3 previous = data_.position[ring[n - 1]] - p;
+  for (int k = 0; k < n; ++k) {
+    const Vector3 current = data_.position[ring[k]] - p;
+    const Vector3 c = cross(previous, current);
+    result.cross += c;
+    result.area += length(c);
+    sum += current;
+    previous = current;
+  }
+  result.to_centre = (1. / n) * sum;
+  return result;
+}
+
+// Most vertices are regular: their loop is unrolled.
+inline Relaxation::Star Relaxation::star(std::size_t i) const
+{
+  const int valence = data_.valence(i);
+  Star result = valence == 6 ? star_of<6>(i, 6) : star_of<0>(i, valence);
+  if (recipe_.weights != Recipe::Weights::uniform) result.to_centre = to_weighted_centre(i);
+  return result;
+}
+
+inline Vector3 Relaxation::to_centre(std::size_t i) const
+{
+  if (recipe_.weights != Recipe::Weights::uniform) return to_weighted_centre(i);
+  const int n = data_.valence(i);
+  const Index* r = data_.ring(i);
+  const std::vector<Vector3>& x = data_.position;
+  if (n == 6)
+    return (1. / 6) * ((x[r[0]] + x[r[1]]) + (x[r[2]] + x[r[3]]) + (x[r[4]] + x[r[5]])) - x[i];
+  Vector3 sum;
+  for (int k = 0; k < n; ++k) sum += x[r[k]];
+  return (1. / n) * sum - x[i];
+}
+
+inline Vector3 Relaxation::to_weighted_centre(std::size_t i) const
+{
+  const int n = data_.valence(i);
+  const Index* r = data_.ring(i);
+  const Vector3& p = data_.position[i];
+  Vector3 sum;
+  double total = 0;
+  for (int k = 0; k < n; ++k) {
+    const Vector3 &before = data_.position[r[(k + n - 1) % n]], &q = data_.position[r[k]],
+                  &after = data_.position[r[(k + 1) % n]];
+    double weight;
+    if (recipe_.weights == Recipe::Weights::area)
+      weight = length(triangle_cross(p, before, q)) + length(triangle_cross(p, q, after));
+    else {
+      const auto cotangent = [](const Vector3& apex, const Vector3& a, const Vector3& b) {
+        const double doubled_area = length(triangle_cross(apex, a, b));
+        return doubled_area > 0 ? dot(a - apex, b - apex) / doubled_area : 0.;
+      };
+      weight = (std::max)(0., cotangent(before, p, q) + cotangent(after, p, q));
+    }
+    sum += weight * (q - p);
+    total += weight;
+  }
+  return total > 0 ? (1 / total) * sum : Vector3();
+}
+
+template <class Projector>
+void Relaxation::sweep(std::size_t begin, std::size_t end, bool is_refresh, const Projector& projector)
+{
+  for (std::size_t i = begin; i < end; ++i) {
+    const Mobility mobility = data_.mobility[i];
+    if (mobility == Mobility::fixed) continue;
+    Vector3 to_centre;
+    if (is_refresh || step_factor_[i] < 0) {
+      const Star s = star(i);
+      const double l = length(s.cross);
+      if (!(l > 0)) { step_factor_[i] = 0; normal_[i] = Vector3(); continue; }
+      const double rho = l / s.area;
+      normal_[i] = (1 / l) * s.cross;
+      if (is_refresh || rho < RHO_GUARDED) {
+        step_factor_[i] = recipe_.relaxation * damping(rho);
+        if (rho < RHO_GUARDED || mobility == Mobility::guarded) step_factor_[i] = -step_factor_[i];
+      }
+      to_centre = s.to_centre;
+    } else
+      to_centre = this->to_centre(i);
+    const Vector3 tangential = to_centre - dot(to_centre, normal_[i]) * normal_[i];
+    if (std::signbit(step_factor_[i])) take_guarded_step(i, -step_factor_[i] * tangential, projector);
+    else data_.position[i] += step_factor_[i] * tangential;
+  }
+}
+
+// Projects at once, and accepts the first of the trials that turns no face.
+template <class Projector>
+void Relaxation::take_guarded_step(std::size_t i, const Vector3& step, const Projector& projector)
+{
+  const int n = data_.valence(i);
+  const Index* ring = data_.ring(i);
+  const Vector3 p = data_.position[i];
+  std::array<Vector3, Sweep_data::MAXIMUM_VALENCE> link, old_cross;
+  for (int k = 0; k < n; ++k) link[k] = data_.position[ring[k]];
+  for (int k = 0; k < n; ++k) old_cross[k] = triangle_cross(p, link[k], link[(k + 1) % n]);
+
+  double factor = 1;
+  for (int trial = 0; trial < STEP_TRIALS; ++trial, factor /= 2) {
+    Index hint = data_.hint[i];
+    const Vector3 q = projector(p + factor * step, hint);
+    bool is_fit = true;
+    for (int k = 0; k < n && is_fit; ++k)
+      is_fit = is_cosine_at_least(old_cross[k], triangle_cross(q, link[k], link[(k + 1) % n]), STEP_NORMAL_COSINE);
+    if (!is_fit) continue;
+    data_.position[i] = q;
+    data_.hint[i] = hint;
+    return;
+  }
+}
+
+template <class ConcurrencyTag, class Projector>
+void Relaxation::project_all(const Projector& projector)
+{
+  for_each_block<ConcurrencyTag>(data_.size(), 512, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (data_.mobility[i] != Mobility::fixed)
+        data_.position[i] = projector(data_.position[i], data_.hint[i]);
+  });
+}
+
+template <class ConcurrencyTag, class Projector>
+std::size_t Relaxation::run(Remeshing_mesh& mesh, const Projector& projector, unsigned sweeps, Pull_back pull_back)
+{
+  using Tag = std::conditional_t<Projector::IS_CONCURRENT, ConcurrencyTag, CGAL::Sequential_tag>;
+  data_.read<ConcurrencyTag>(mesh);
+  normal_.resize(data_.size());
+  step_factor_.resize(data_.size());
+  for (unsigned s = 0; s < sweeps; ++s) {
+    data_.for_each_coloured_block<Tag>([&](std::size_t begin, std::size_t end) {
+      sweep(begin, end, s % SWEEPS_A_REFRESH == 0, projector);
+    });
+    if (pull_back == Pull_back::after_each_sweep && s + 1 < sweeps) project_all<Tag>(projector);
+  }
+  if (pull_back != Pull_back::never) project_all<Tag>(projector);
+  data_.write(mesh);
+  return data_.size();
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_RELAX_PASS_H

@@ -1,0 +1,234 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESH_RANGE_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESH_RANGE_H
+
+#include <CGAL/Inter_angle_remeshing/Face_count.h>
+#include <CGAL/Inter_angle_remeshing/internal/Remesher.h>
+#include <CGAL/Inter_angle_remeshing/internal/constraints.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh_exchange.h>
+#include <CGAL/Inter_angle_remeshing/internal/projection.h>
+#include <CGAL/Inter_angle_remeshing/internal/refuse.h>
+#include <CGAL/Inter_angle_remeshing/target_edge_length.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// From a range and its parameters to the result: reads the range, sets up the reference surface and the projector,
+// runs the remesher, writes the result back. The user's mesh is changed in the last step alone.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+constexpr const char* REMESHING = "isotropic_remeshing()";
+
+// Everything that isotropic_remeshing() reads from its named parameters.
+template <class VertexPointMap, class EdgeIsConstrainedMap, class VertexIsConstrainedMap, class PatchMap,
+          class SplitPolicy, class CollapsePolicy, class FlipPolicy, class ProjectionFunctor, class Visitor>
+struct Remeshing_parameters
+{
+  VertexPointMap vertex_point_map;
+  EdgeIsConstrainedMap edge_is_constrained_map;
+  VertexIsConstrainedMap vertex_is_constrained_map;
+  PatchMap face_patch_map;
+  SplitPolicy split_policy;
+  CollapsePolicy collapse_policy;
+  FlipPolicy flip_policy;
+  ProjectionFunctor projection_functor;
+  Visitor& visitor;
+  Recipe recipe;
+  Schedule schedule;
+  Constraint_settings constraint_settings;
+  bool may_collapse_constraints;
+  bool does_project;
+};
+
+inline void check_recipe(const Recipe& recipe)
+{
+  if (!(recipe.relaxation > 0 && recipe.relaxation <= 1.6))
+    refuse(REMESHING, "Recipe::relaxation is " + std::to_string(recipe.relaxation) + "; it must lie in (0, 1.6]");
+  if (recipe.glide_depth > MAXIMUM_GLIDE_DEPTH)
+    refuse(REMESHING, "Recipe::glide_depth is " + std::to_string(recipe.glide_depth) + "; at most " +
+                      std::to_string(MAXIMUM_GLIDE_DEPTH) + " is possible");
+  if (!(recipe.collapse_tolerance >= 0))
+    refuse(REMESHING, "Recipe::collapse_tolerance is negative or not a number");
+}
+
+// A length so small that the result could not be indexed is refused, as is what is no length.
+inline void check_length(double length, double area)
+{
+  if (!(length >= 0) || !std::isfinite(length))
+    refuse(REMESHING, "the target edge length is " + std::to_string(length) + "; it must be finite and not negative");
+  constexpr double MAXIMUM_FACES = double((std::numeric_limits<Remeshing_mesh::Index>::max)() / 4) / 1.5;
+  const double faces = 4 * area / (std::sqrt(3.) * length * length);
+  if (length > 0 && faces > MAXIMUM_FACES)
+    refuse(REMESHING, "the target edge length is so small that about " + std::to_string(faces) +
+                      " faces were needed; at most " + std::to_string(MAXIMUM_FACES) + " can be indexed");
+}
+
+// The target length in the units of the flat mesh.
+template <class Length>
+double target_length(const Length& length, const Remeshing_mesh& mesh)
+{
+  const double range_area = area(mesh);
+  double result;
+  if constexpr (std::is_same<Length, Face_count>::value) {
+    if (length.value == 0) refuse(REMESHING, "the wanted number of faces is 0");
+    result = length_for_face_count(range_area, length.value);
+  } else {
+    const double wanted = CGAL::to_double(length);
+    if (std::isfinite(wanted)) result = wanted / mesh.unit(); else result = wanted;
+  }
+  check_length(result, range_area);
+  return result;
+}
+
+// Gives each vertex the face of the surface where it lies. A vertex starts from its neighbor's face; where that walk
+// does not lead onto the surface, the place is searched for.
+inline void find_hints(Remeshing_mesh& mesh, const Surface_projection& projection)
+{
+  using Index = Remeshing_mesh::Index;
+  constexpr double ON_SURFACE = 1e-20;          // squared distance; the extent of the mesh is about 1
+  std::vector<char> is_found(mesh.number_of_vertex_slots(), 0);
+  std::vector<Index> queue;
+  const auto search = [&](Index v) {
+    Vector3 normal;
+    mesh.for_each_in_fan(mesh.first(v), [&](Index h) {
+      normal += triangle_cross(mesh.position(v), mesh.position(mesh.target(h)), mesh.position(mesh.apex(h)));
+    });
+    projection.surface.locate(projection.factor * mesh.position(v), mesh.hint(v), normal);
+  };
+  for (Index seed = 0; seed < Index(mesh.number_of_vertex_slots()); ++seed) {
+    if (!mesh.is_vertex(seed) || is_found[seed]) continue;
+    search(seed);
+    is_found[seed] = 1;
+    queue.assign(1, seed);
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+      const Index v = queue[i];
+      mesh.for_each_neighbor(v, [&](Index u) {
+        if (is_found[u]) return;
+        mesh.hint(u) = mesh.hint(v);
+        if (squared_distance(projection(mesh.position(u), mesh.hint(u)), mesh.position(u)) > ON_SURFACE) search(u);
+        is_found[u] = 1;
+        queue.push_back(u);
+      });
+    }
+  }
+}
+
+// The same where the surface is a copy of the mesh as it is.
+inline void start_where_vertices_are(Remeshing_mesh& mesh)
+{
+  for (Remeshing_mesh::Index v = 0; v < Remeshing_mesh::Index(mesh.number_of_vertex_slots()); ++v)
+    mesh.hint(v) = mesh.face(mesh.first(v));
+}
+
+template <class Functor>
+using Reference_surface_of = decltype(std::declval<const Functor&>().reference_surface());
+template <class Functor, class = void>
+struct Has_reference_surface : std::false_type {};
+template <class Functor>
+struct Has_reference_surface<Functor, std::void_t<Reference_surface_of<Functor>>> : std::true_type {};
+
+template <class Functor>
+const Functor& referred(const Functor& functor) { return functor; }
+template <class Functor>
+const Functor& referred(const std::reference_wrapper<Functor>& functor) { return functor.get(); }
+
+// Runs the remesher with the projector that the functor asks for.
+template <class ConcurrencyTag, class Parameters, class Exchange, class Run>
+Remeshing_report run_with_projector(const Parameters& parameters, const Exchange& exchange, Remeshing_mesh& mesh,
+                                    const Run& run)
+{
+  using Vertex = std::decay_t<decltype(exchange.input_vertices()[0])>;
+  using Point_3 = typename boost::property_traits<decltype(parameters.vertex_point_map)>::value_type;
+  const auto& functor = referred(parameters.projection_functor);
+  using Functor = std::decay_t<decltype(functor)>;
+  if (!parameters.does_project) return run(No_projection());
+  if constexpr (std::is_same<Functor, No_map>::value) {
+    const Reference_surface surface(mesh);
+    start_where_vertices_are(mesh);
+    return run(Surface_projection{surface});
+  } else if constexpr (Has_reference_surface<Functor>::value) {
+    const Reference_surface& surface = functor.reference_surface();
+    const Surface_projection projection{surface, mesh.unit() / surface.unit()};
+    find_hints(mesh, projection);
+    return run(projection);
+  } else if constexpr (std::is_invocable_r<Point_3, const Functor&, const Point_3&>::value)
+    return run(Point_functor_projection<Functor, Point_3>{functor, mesh.unit()});
+  else {
+    static_assert(std::is_invocable_r<Point_3, const Functor&, Vertex>::value,
+                  "projection_functor: expected a functor `Point_3 operator()(vertex_descriptor) const`, as in "
+                  "Polygon_mesh_processing, or `Point_3 operator()(const Point_3&) const`.");
+    return run(Vertex_functor_projection<Functor, Vertex, decltype(parameters.vertex_point_map)>(
+      functor, exchange.input_vertices().front(), parameters.vertex_point_map, mesh.unit()));
+  }
+}
+
+template <class PatchMap, class Faces>
+auto read_patches(const PatchMap& fpm, const Faces& faces)
+{
+  if constexpr (std::is_same<PatchMap, No_map>::value) {
+    (void)fpm; (void)faces;
+    return No_map();
+  } else {
+    std::vector<typename boost::property_traits<PatchMap>::value_type> patches;
+    patches.reserve(faces.size());
+    for (const auto& f : faces) patches.push_back(get(fpm, f));
+    return patches;
+  }
+}
+
+template <class ConcurrencyTag, class FaceRange, class Length, class TriangleMesh, class Parameters>
+Remeshing_report remesh_range(const FaceRange& range, const Length& length, TriangleMesh& tmesh,
+                              Parameters& parameters)
+{
+  using Vpm = decltype(parameters.vertex_point_map);
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  check_recipe(parameters.recipe);
+  if (range.begin() == range.end()) {
+    if constexpr (!std::is_same<Length, Face_count>::value) check_length(CGAL::to_double(length), 0);
+    return {};
+  }
+  Mesh_exchange<TriangleMesh, Vpm> exchange(range, tmesh, parameters.vertex_point_map, REMESHING);
+  const double target = target_length(length, exchange.mesh());
+  if (parameters.schedule.iterations == 0) return {};
+  if constexpr (std::is_same<Length, Face_count>::value) parameters.schedule.wanted_faces = length.value;
+
+  mark_constraints(exchange, tmesh, parameters.edge_is_constrained_map, parameters.vertex_is_constrained_map,
+                   parameters.face_patch_map, parameters.constraint_settings);
+  const auto patches = read_patches(parameters.face_patch_map, exchange.input_faces());
+  Remeshing_mesh mesh = exchange.take_mesh();
+  mesh.renumber<ConcurrencyTag>(morton_order(mesh));
+
+  const Remeshing_report report = run_with_projector<ConcurrencyTag>(parameters, exchange, mesh,
+    [&](const auto& projector) {
+      using Context = Remeshing_context<Vertex, decltype(parameters.split_policy), decltype(parameters.collapse_policy),
+                                        decltype(parameters.flip_policy), std::decay_t<decltype(projector)>,
+                                        std::decay_t<decltype(parameters.visitor)>>;
+      Context context{mesh, parameters.recipe, exchange.input_vertices(),
+                      boost::graph_traits<TriangleMesh>::null_vertex(), parameters.split_policy,
+                      parameters.collapse_policy, parameters.flip_policy, projector, parameters.visitor,
+                      parameters.may_collapse_constraints, target};
+      return Remesher<ConcurrencyTag, Context>(context, parameters.schedule).run();
+    });
+
+  exchange.write(mesh);
+  write_constraints(exchange, mesh, tmesh, parameters.edge_is_constrained_map, parameters.face_patch_map, patches);
+  return report;
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESH_RANGE_H

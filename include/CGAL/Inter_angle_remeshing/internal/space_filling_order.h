@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_SPACE_FILLING_ORDER_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SPACE_FILLING_ORDER_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Bits a coordinate contributes to a Morton key: three of them and a 32-bit index make 62 bits.
+constexpr int MORTON_BITS = 10;
+
+// Moves the ten lowest bits apart: bit i goes to bit 3 i.
+inline std::uint64_t spread_bits(std::uint64_t x)
+{
+  x = (x | x << 16) & 0x30000ff;
+  x = (x | x << 8) & 0x300f00f;
+  x = (x | x << 4) & 0x30c30c3;
+  x = (x | x << 2) & 0x9249249;
+  return x;
+}
+
+// The live vertices of the mesh along a Morton curve through its bounding box.
+inline std::vector<Remeshing_mesh::Index> morton_order(const Remeshing_mesh& mesh)
+{
+  using Index = Remeshing_mesh::Index;
+  const Index slots = Index(mesh.number_of_vertex_slots());
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  Vector3 low{inf, inf, inf}, high{-inf, -inf, -inf};
+  for (Index v = 0; v < slots; ++v) {
+    if (!mesh.is_vertex(v)) continue;
+    const Vector3& p = mesh.position(v);
+    low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
+    high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z)};
+  }
+  const double extent = (std::max)({high.x - low.x, high.y - low.y, high.z - low.z});
+  const double cells = extent > 0 ? ((1 << MORTON_BITS) - 1) / extent : 0;
+
+  std::vector<std::uint64_t> keys;
+  keys.reserve(mesh.number_of_live_vertices());
+  for (Index v = 0; v < slots; ++v) {
+    if (!mesh.is_vertex(v)) continue;
+    const Vector3 cell = cells * (mesh.position(v) - low);
+    const std::uint64_t key = spread_bits(std::uint64_t(cell.x)) | spread_bits(std::uint64_t(cell.y)) << 1 |
+                              spread_bits(std::uint64_t(cell.z)) << 2;
+    keys.push_back(key << 32 | std::uint64_t(v));
+  }
+  boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
+
+  std::vector<Index> order(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    order[i] = Index(keys[i] & 0xffffffffu);
+  return order;
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_SPACE_FILLING_ORDER_H

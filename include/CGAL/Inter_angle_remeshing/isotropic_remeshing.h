@@ -1,0 +1,254 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_ISOTROPIC_REMESHING_H
+#define CGAL_INTER_ANGLE_REMESHING_ISOTROPIC_REMESHING_H
+
+#include <CGAL/Inter_angle_remeshing/Default_visitor.h>
+#include <CGAL/Inter_angle_remeshing/Face_count.h>
+#include <CGAL/Inter_angle_remeshing/Policies/Inter_angle_collapse_policy.h>
+#include <CGAL/Inter_angle_remeshing/Policies/Inter_angle_flip_policy.h>
+#include <CGAL/Inter_angle_remeshing/Policies/Inter_angle_split_policy.h>
+#include <CGAL/Inter_angle_remeshing/Recipe.h>
+#include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
+#include <CGAL/Inter_angle_remeshing/internal/default_policies.h>
+#include <CGAL/Inter_angle_remeshing/internal/named_parameters.h>
+#include <CGAL/Inter_angle_remeshing/internal/remesh_range.h>
+#include <CGAL/Inter_angle_remeshing/target_edge_length.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <cmath>
+#include <functional>
+#include <type_traits>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+
+/*!
+\ingroup PkgInterAngleRemeshingRef
+
+@brief remeshes a range of triangular faces isotropically: about equilateral triangles, edges of about the target
+length, regular valences, on the same surface.
+
+Splits, collapses and flips edges by the rules of inter-angle optimization, and relaxes vertices tangentially; after
+each iteration the vertices are pulled back onto the surface. Takes the arguments of
+`CGAL::Polygon_mesh_processing::isotropic_remeshing()`.
+
+The mesh is changed in one step at the end. An exception before that, from a refused argument, from a functor of the
+user's, or for want of memory, leaves it as it was. Vertices that survive keep their descriptors, and those that were
+not moved their points to the last bit. Faces outside of the range are left alone, and the edges between them and the
+range are neither split nor collapsed. Isolated vertices stay, garbage of a `Surface_mesh` is not collected.
+The result depends neither on the concurrency tag nor on the number of threads.
+
+Source: X. Zheng and Z. Lv, <em>Isotropic Remeshing with Inter-Angle Optimization</em>, ICIG 2025, arXiv 2507.13641;
+M. Botsch and L. Kobbelt, <em>A Remeshing Approach to Multiresolution Modeling</em>, SGP 2004. Complexity: linear in the
+number of faces of the range and of the result, per iteration.
+
+@tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
+@tparam FaceRange a model of `ConstRange` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as value type
+@tparam Length a number type, or `Face_count`
+@tparam TriangleMesh a model of `MutableFaceGraph` and `FaceListGraph` whose descriptors are models of `Hashable`
+@tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+@param faces the range of triangular faces to be remeshed
+@param length the target edge length in the units of the mesh, or `Face_count(n)` for a wanted number of faces in the
+       range. With length 0 edges are flipped and vertices relaxed, and nothing is split or collapsed.
+@param tmesh the mesh
+@param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below; a `Recipe` is
+       put at the head of it by `recipe()`
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{the number of iterations of splits, collapses, flips and relaxation}
+    \cgalParamType{unsigned int}
+    \cgalParamDefault{10}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_relaxation_steps}
+    \cgalParamDescription{the number of sweeps of relaxation in each iteration}
+    \cgalParamType{unsigned int}
+    \cgalParamDefault{`Recipe::sweeps`, in the last two iterations `Recipe::last_sweeps`}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_split}
+    \cgalParamDescription{whether edges are split: a `bool`, or a policy that is asked for each edge that is too long}
+    \cgalParamType{`bool`, or a model of `RemeshingPolicy`}
+    \cgalParamDefault{`Inter_angle_split_policy`, as `Recipe::policies` has it}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_collapse}
+    \cgalParamDescription{whether edges are collapsed: a `bool`, or a policy that is asked for each edge that is too short}
+    \cgalParamType{`bool`, or a model of `RemeshingPolicy`}
+    \cgalParamDefault{`Inter_angle_collapse_policy`, as `Recipe::policies` has it}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_flip}
+    \cgalParamDescription{whether edges are flipped: a `bool`, or a policy that is asked for each edge whose flip would
+                          make the valences more regular}
+    \cgalParamType{`bool`, or a model of `RemeshingPolicy`}
+    \cgalParamDefault{`Inter_angle_flip_policy`, as `Recipe::policies` has it}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_project}
+    \cgalParamDescription{whether vertices are pulled back onto a surface}
+    \cgalParamType{bool}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{projection_functor}
+    \cgalParamDescription{what pulls vertices back: `Point_3 operator()(const Point_3&) const`, called concurrently with
+                          `Parallel_tag`; or, as in %Polygon_mesh_processing, `Point_3 operator()(vertex_descriptor) const`,
+                          called by one thread, always with the same vertex of the range, whose point is set for the
+                          call and restored in the end: it may read nothing else. `Closest_point_projector` runs
+                          from warm starts. Hand functors with a state over by `std::ref`.}
+    \cgalParamType{a functor}
+    \cgalParamDefault{onto the closest point of the range as it was, starting from where the vertex was}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{edges that are never flipped. They may be split and collapsed along straight stretches; their
+                          ends do not move. After the call the map, if it can be written, is right for every edge of
+                          the range.}
+    \cgalParamType{a class model of `ReadWritePropertyMap` (or `ReadablePropertyMap`) with
+                   `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+    \cgalParamDefault{no edge is constrained}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{vertices that are kept and not moved, to the last bit}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+                   as key type and `bool` as value type}
+    \cgalParamDefault{no vertex is constrained}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_patch_map}
+    \cgalParamDescription{patches whose borders are constrained edges. After the call the map, if it can be written, has
+                          the patch of each face of the range.}
+    \cgalParamType{a class model of `ReadWritePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as
+                   key type and a copyable type that can be compared for equality as value type}
+    \cgalParamDefault{one patch}
+  \cgalParamNEnd
+  \cgalParamNBegin{sharpness_angle}
+    \cgalParamDescription{edges whose faces' normals differ by more than this angle, in degrees, are constrained, beside
+                          those of `edge_is_constrained_map`}
+    \cgalParamType{a number type}
+    \cgalParamDefault{180: none}
+  \cgalParamNEnd
+  \cgalParamNBegin{protect_constraints}
+    \cgalParamDescription{whether constrained edges and the border are neither split nor collapsed}
+    \cgalParamType{bool}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{collapse_constraints}
+    \cgalParamDescription{whether constrained edges and edges of the border may be collapsed}
+    \cgalParamType{bool}
+    \cgalParamDefault{`true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{relax_constraints}
+    \cgalParamDescription{whether the ends of constrained edges may move along them; `true` is refused for now}
+    \cgalParamType{bool}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{callback}
+    \cgalParamDescription{called after each pass with the progress in [0, 1]. If it returns `false`, the run stops, and the
+                          mesh holds the result so far.}
+    \cgalParamType{convertible to `std::function<bool(double)>`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{told about every pass and operation; handed over by `std::ref` where it has a state}
+    \cgalParamType{a model of `RemeshingVisitor`}
+    \cgalParamDefault{`Default_visitor`}
+  \cgalParamNEnd
+  \cgalParamNBegin{verbose}
+    \cgalParamDescription{whether each iteration prints a line to `std::cout`}
+    \cgalParamType{bool}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices}
+    \cgalParamType{a class model of `ReadWritePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor`
+                   as key type and a point with coordinates `x()`, `y()`, `z()`, made from three of them, as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+    \cgalParamExtra{Computation is in double precision, whatever the kernel.}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{accepted for compatibility; the points' own coordinates are all that is used}
+    \cgalParamType{any}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{accepted for compatibility; no index maps are needed}
+    \cgalParamType{any}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+@returns what was done
+
+@throws CGAL::Precondition_exception, in release builds too and before anything is changed, if: a face of the range is
+        not a triangle; a coordinate is not finite; all points are equal; `length` is negative, not finite, or so small
+        that the result could not be indexed (about 350 million faces); the wanted number of faces is 0; a vertex has
+        more than 16383 faces; two protected edges join the same vertices; a member of the recipe or
+        `sharpness_angle` is out of its range; or `relax_constraints(true)` is asked for
+@throws whatever a policy, projector, visitor, callback or property map of the user's throws
+*/
+template <class ConcurrencyTag = CGAL::Sequential_tag, class FaceRange, class Length, class TriangleMesh,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Remeshing_report isotropic_remeshing(const FaceRange& faces, const Length& length, TriangleMesh& tmesh,
+                                     const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  namespace tags = CGAL::internal_np;
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+
+  internal::check_length_type<Length>();
+  internal::refuse_unsupported<CGAL_NP_CLASS>();
+  const Recipe recipe = choose_parameter(get_parameter(np, internal::recipe_tag), Recipe());
+  const auto make_policy = [](const auto& given, const auto& preset) {
+    return internal::policy_from<Vertex>(given, preset);
+  };
+  auto vpm = choose_parameter(get_parameter(np, tags::vertex_point), get_property_map(CGAL::vertex_point, tmesh));
+  auto ecm = internal::or_no_map(get_parameter(np, tags::edge_is_constrained));
+  auto vcm = internal::or_no_map(get_parameter(np, tags::vertex_is_constrained));
+  auto fpm = internal::or_no_map(get_parameter(np, tags::face_patch));
+  auto split = make_policy(get_parameter(np, tags::do_split), internal::default_split_policy(recipe.policies));
+  auto collapse = make_policy(get_parameter(np, tags::do_collapse), internal::default_collapse_policy(recipe.policies));
+  auto flip = make_policy(get_parameter(np, tags::do_flip), internal::default_flip_policy(recipe.policies));
+  auto projection = internal::or_no_map(get_parameter(np, tags::projection_functor));
+  Default_visitor default_visitor;
+  auto given_visitor = get_parameter(np, tags::visitor);
+  auto& visitor = internal::visitor_from(given_visitor, default_visitor);
+
+  internal::Remeshing_parameters<decltype(vpm), decltype(ecm), decltype(vcm), decltype(fpm), decltype(split),
+                                 decltype(collapse), decltype(flip), decltype(projection),
+                                 std::remove_reference_t<decltype(visitor)>>
+    parameters{vpm, ecm, vcm, fpm, split, collapse, flip, projection, visitor, recipe,
+               internal::Schedule{internal::count_from(choose_parameter(get_parameter(np, tags::number_of_iterations), 10u),
+                                                    "number_of_iterations"), 0,
+                                  internal::callback_from(get_parameter(np, tags::callback)),
+                                  choose_parameter(get_parameter(np, tags::verbose), false)},
+               internal::Constraint_settings{
+                 internal::sharpness_cosine(choose_parameter(get_parameter(np, tags::sharpness_angle), 180)),
+                 choose_parameter(get_parameter(np, tags::protect_constraints), false)},
+               choose_parameter(get_parameter(np, tags::collapse_constraints), true),
+               choose_parameter(get_parameter(np, tags::do_project), true)};
+  internal::set_sweeps(parameters.recipe, get_parameter(np, tags::number_of_relaxation_steps));
+  if (choose_parameter(get_parameter(np, tags::relax_constraints), false))
+    internal::refuse(internal::REMESHING, "relax_constraints(true) is not supported yet: ends of constrained edges stay");
+  return internal::remesh_range<ConcurrencyTag>(faces, length, tmesh, parameters);
+}
+
+/*!
+\ingroup PkgInterAngleRemeshingRef
+
+@brief the same for all faces of the mesh.
+*/
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Length, class TriangleMesh,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Remeshing_report isotropic_remeshing(const Length& length, TriangleMesh& tmesh,
+                                     const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  return isotropic_remeshing<ConcurrencyTag>(faces(tmesh), length, tmesh, np);
+}
+
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_ISOTROPIC_REMESHING_H
