@@ -12,7 +12,7 @@ namespace Inter_angle_remeshing {
 
 /// \ingroup PkgInterAngleRemeshingRef
 /// the passes of an iteration, as a visitor meets them
-enum class Pass { split, collapse, flip, glide, relax, clean_up };
+enum class Pass { split, collapse, flip, glide, relax, clean_up, polish };
 
 /*!
 \ingroup PkgInterAngleRemeshingRef

@@ -54,8 +54,13 @@ struct Recipe
   int glide_slack = 2;
   /// how far from the new surface the vertex that a collapse removes may lie, in target lengths
   double collapse_tolerance = 0.15;
-  /// whether valences of 4 and less, and what is left of bad angles, are mended after the last iteration
+  /// whether valences of 4 and less, and angles out of the band, are mended after the last iteration
   bool clean_up = true;
+  /// the band, in degrees, into which the clean-up moves the angles, as far as moving vertices along the surface can:
+  /// its lower bound, under 60
+  double lower_angle = 44;
+  /// its upper bound, over 60
+  double upper_angle = 85;
   /// which policies rule where the user hands none over
   Policies policies = Policies::measured;
 

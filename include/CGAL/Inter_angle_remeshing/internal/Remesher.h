@@ -13,6 +13,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
 #include <CGAL/Inter_angle_remeshing/internal/flip_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/glide_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/polish_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/relax_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/space_filling_order.h>
 #include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
@@ -174,10 +175,12 @@ private:
   {
     if (context_.target_length > 0 && !is_never(context_.collapse_policy))
       run_pass(Pass::clean_up, report_.collapses, [&]() { return clean_up_pass(context_); });
-    mesh_.renumber<ConcurrencyTag>(mesh_.block_order());
     if (!is_never(context_.flip_policy))
       run_pass(Pass::flip, report_.flips, [&]() { return flip_pass<ConcurrencyTag>(context_); });
-    if (recipe_.sweeps > 0) relax(CLEAN_UP_SWEEPS, Pull_back::after_each_sweep);
+    if (recipe_.sweeps == 0) return;
+    relax(CLEAN_UP_SWEEPS, Pull_back::after_each_sweep);
+    std::size_t moves = 0;
+    run_pass(Pass::polish, moves, [&]() { return polish_pass(context_, context_.target_length); });
   }
 
   // Runs a pass, tells the visitor and the callback about it.

@@ -41,23 +41,20 @@ public:
 
   static constexpr Index NO_VERTEX = -1;
 
-  // Vertices a block of the space-filling order holds; 1024 records of a sweep fill half of a 64 KiB cache.
-  static std::size_t block_size(std::size_t number_of_vertices)
-  {
-    return number_of_vertices < 50000 ? 256 : 1024;
-  }
+  // A block of the space-filling order holds 2^k vertices; 1024 records of a sweep fill half of a 64 KiB cache.
+  static unsigned block_shift(std::size_t number_of_vertices) { return number_of_vertices < 50000 ? 8 : 10; }
 
   // --- construction -------------------------------------------------------------------------------------------
 
   void resize_vertices(std::size_t n)
   {
-    position_.resize(n); first_.resize(n, -1); valence_.resize(n, 0); marks_.resize(n, 0);
+    position_.resize(n); first_.resize(n, -1); state_.resize(n);
     hint_.resize(n, 0); input_.resize(n, NO_VERTEX); block_.resize(n, 0);
   }
 
   void reserve_vertices(std::size_t n)
   {
-    position_.reserve(n); first_.reserve(n); valence_.reserve(n); marks_.reserve(n);
+    position_.reserve(n); first_.reserve(n); state_.reserve(n);
     hint_.reserve(n); input_.reserve(n); block_.reserve(n);
   }
 
@@ -79,8 +76,8 @@ public:
   Index first(Index v) const { return first_[v]; }
   void set_first(Index v, Index h) { first_[v] = h; }
   // The number of edges at v.
-  int valence(Index v) const { return valence_[v]; }
-  void set_valence(Index v, int n) { valence_[v] = static_cast<std::uint16_t>(n); }
+  int valence(Index v) const { return state_[v].valence; }
+  void set_valence(Index v, int n) { state_[v].valence = static_cast<std::uint16_t>(n); }
   // The face of the projector's surface onto which v was projected last.
   Index hint(Index v) const { return hint_[v]; }
   Index& hint(Index v) { return hint_[v]; }
@@ -90,15 +87,19 @@ public:
   // The block of the space-filling order that v belongs to.
   Index block(Index v) const { return block_[v]; }
 
-  unsigned marks(Index v) const { return marks_[v]; }
-  void add_marks(Index v, unsigned marks) { marks_[v] = static_cast<std::uint8_t>(marks_[v] | marks); }
-  bool is_free(Index v) const { return marks_[v] == 0; }
-  bool is_border_vertex(Index v) const { return (marks_[v] & ON_BORDER) != 0; }
-  bool is_on_curve(Index v) const { return (marks_[v] & (ON_BORDER | ON_FEATURE)) != 0; }
-  bool is_locked(Index v) const { return (marks_[v] & LOCKED) != 0; }
+  unsigned marks(Index v) const { return state_[v].marks; }
+  void add_marks(Index v, unsigned marks)
+  {
+    state_[v].marks = static_cast<std::uint8_t>(state_[v].marks | marks);
+    if (is_border_vertex(v)) state_[v].regular_valence = 4;
+  }
+  bool is_free(Index v) const { return state_[v].marks == 0; }
+  bool is_border_vertex(Index v) const { return (state_[v].marks & ON_BORDER) != 0; }
+  bool is_on_curve(Index v) const { return (state_[v].marks & (ON_BORDER | ON_FEATURE)) != 0; }
+  bool is_locked(Index v) const { return (state_[v].marks & LOCKED) != 0; }
 
   // How far the valence is from that of a regular vertex: 6, or 4 on the border.
-  int deviation(Index v) const { return int(valence_[v]) - (is_border_vertex(v) ? 4 : 6); }
+  int deviation(Index v) const { return int(state_[v].valence) - int(state_[v].regular_valence); }
 
   // --- edges --------------------------------------------------------------------------------------------------
 
@@ -136,8 +137,8 @@ public:
   bool is_adjacent(Index u, Index v) const
   {
     bool found = false;
-    for_each_neighbor(valence_[u] <= valence_[v] ? u : v,
-                      [&, other = valence_[u] <= valence_[v] ? v : u](Index w) { found |= w == other; });
+    for_each_neighbor(state_[u].valence <= state_[v].valence ? u : v,
+                      [&, other = state_[u].valence <= state_[v].valence ? v : u](Index w) { found |= w == other; });
     return found;
   }
 
@@ -157,7 +158,7 @@ public:
   // Whether a new edge between u and v could double one that the flat mesh does not see.
   bool may_meet_outside(Index u, Index v) const
   {
-    return (marks_[u] & marks_[v] & NEXT_TO_OUTSIDE) != 0;
+    return (state_[u].marks & state_[v].marks & NEXT_TO_OUTSIDE) != 0;
   }
 
   bool is_flip_legal(Index h) const;
@@ -197,6 +198,14 @@ public:
   }
 
 private:
+  // What most questions about a vertex need, in one word.
+  struct Vertex_state
+  {
+    std::uint16_t valence = 0;
+    std::uint8_t marks = 0;
+    std::uint8_t regular_valence = 6;
+  };
+
   // A vertex of this valence cannot lose an edge.
   int least_valence(Index v) const { return is_border_vertex(v) ? 2 : 3; }
 
@@ -231,8 +240,7 @@ private:
   double unit_ = 1;
   std::vector<Vector3> position_;
   std::vector<Index> first_;
-  std::vector<std::uint16_t> valence_;
-  std::vector<std::uint8_t> marks_;
+  std::vector<Vertex_state> state_;
   std::vector<Index> hint_, input_, block_;
   std::vector<Index> free_faces_, free_vertices_;
   std::vector<std::uint8_t> touched_;
@@ -265,7 +273,7 @@ inline bool Remeshing_mesh::is_flip_legal(Index h) const
   if (is_border(h) || (faces_[h >> 2].edge_flags != 0 && flags(h) != 0)) return false;
   const Index o = opposite(h);
   const Index a = origin(h), b = origin(o), c = apex(h), d = apex(o);
-  return c != d && valence_[a] > least_valence(a) && valence_[b] > least_valence(b) &&
+  return c != d && state_[a].valence > least_valence(a) && state_[b].valence > least_valence(b) &&
          !may_meet_outside(c, d) && !is_adjacent(c, d);
 }
 
@@ -278,7 +286,7 @@ inline bool Remeshing_mesh::is_collapse_legal(Index h) const
   const Index c = h >= 0 ? apex(h) : NO_VERTEX, d = g >= 0 ? apex(g) : NO_VERTEX;
   if (c == d) return false;
   for (const Index v : {c, d})
-    if (v >= 0 && valence_[v] <= least_valence(v)) return false;
+    if (v >= 0 && state_[v].valence <= least_valence(v)) return false;
 
   // Link condition: the common neighbours of a and b are the apexes. Where a is on the border, so is the edge,
   // and the third edge of a border loop of three shows as one more common neighbour.
@@ -286,7 +294,7 @@ inline bool Remeshing_mesh::is_collapse_legal(Index h) const
   bool is_legal = true;
   for_each_neighbor(a, [&](Index u) {
     if (u == b) return;
-    is_legal &= (marks_[u] & PINCHED) == 0;
+    is_legal &= (state_[u].marks & PINCHED) == 0;
     if (u != c && u != d) is_legal &= !may_meet_outside(b, u);
     for_each_neighbor(b, [&](Index w) { common += u == w; });
   });
@@ -307,7 +315,7 @@ inline void Remeshing_mesh::flip(Index h)
   glue(h, outer_gn);
   glue(g, outer_n);
   glue(n, gn);
-  --valence_[a]; --valence_[b]; ++valence_[c]; ++valence_[d];
+  --state_[a].valence; --state_[b].valence; ++state_[c].valence; ++state_[d].valence;
   settle_first(a, h); settle_first(b, g); settle_first(c, q); settle_first(d, gp);
   touch(a); touch(b); touch(c); touch(d);
 }
@@ -325,7 +333,7 @@ inline Remeshing_mesh::Index Remeshing_mesh::split(Index h, const Vector3& p)
   glue(n, f1 + 2);
   set_flags(f1, edge); set_flags(f1 + 1, flags_n); set_flags(n, 0);
   if (first_[b] == n) first_[b] = f1 + 1;
-  ++valence_[c];
+  ++state_[c].valence;
 
   if (g >= 0) {
     const Index gp = prev(g), d = origin(gp);
@@ -339,15 +347,15 @@ inline Remeshing_mesh::Index Remeshing_mesh::split(Index h, const Vector3& p)
     set_flags(g1, edge); set_flags(g1 + 2, flags_gp); set_flags(gp, 0);
     if (first_[b] == g) first_[b] = g1;
     if (first_[d] == gp) first_[d] = g1 + 2;
-    ++valence_[d];
+    ++state_[d].valence;
     touch(d);
   } else
     glue(f1, g);
 
   position_[m] = p;
   first_[m] = f1;
-  valence_[m] = g >= 0 ? 4 : 3;
-  marks_[m] = static_cast<std::uint8_t>((g >= 0 ? 0 : ON_BORDER) | (edge & CONSTRAINED ? ON_FEATURE : 0));
+  state_[m] = Vertex_state{std::uint16_t(g >= 0 ? 4 : 3), 0, 6};
+  add_marks(m, (g >= 0 ? 0u : ON_BORDER) | (edge & CONSTRAINED ? ON_FEATURE : 0u));
   hint_[m] = hint_[a];
   input_[m] = NO_VERTEX;
   block_[m] = block_[a];
@@ -360,7 +368,7 @@ inline void Remeshing_mesh::collapse(Index h)
   const Index g = opposite(h), a = source(h), b = source(g);
   touch_star(a);
   for_each_in_fan(first_[a], [&](Index k) { set_origin(k, b); });
-  valence_[b] = static_cast<std::uint16_t>(valence_[b] + valence_[a] - (h >= 0 && g >= 0 ? 4 : 3));
+  set_valence(b, valence(b) + valence(a) - (h >= 0 && g >= 0 ? 4 : 3));
 
   // Takes the triangle of the half-edge e between a and b out, and sews its other two edges together.
   const auto remove_face = [&](Index e) {
@@ -370,7 +378,7 @@ inline void Remeshing_mesh::collapse(Index h)
     glue(outer_n, outer_q);
     for (const Index outer : {outer_n, outer_q})
       if (outer >= 0) set_flags(outer, merged);
-    --valence_[c];
+    --state_[c].valence;
     first_[c] = outer_n >= 0 ? outer_n : next(outer_q);
     first_[b] = outer_q >= 0 ? outer_q : next(outer_n);
     faces_[e >> 2] = Face();
@@ -384,7 +392,7 @@ inline void Remeshing_mesh::collapse(Index h)
     if (v >= 0) settle_first(v, first_[v]);
 
   first_[a] = -1;
-  valence_[a] = 0;
+  state_[a] = Vertex_state();
   free_vertices_.push_back(a);
 }
 
@@ -442,17 +450,16 @@ void Remeshing_mesh::renumber(const std::vector<Index>& order)
   result.unit_ = unit_;
   result.reserve_vertices(n + n / 8);
   result.resize_vertices(n);
-  const std::size_t vertices_a_block = block_size(n);
+  const unsigned shift = block_shift(n);
   for_each_block<ConcurrencyTag>(n, SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
       const Index v = order[i];
       result.position_[i] = position_[v];
       result.first_[i] = new_corner_of(first_[v]);
-      result.valence_[i] = valence_[v];
-      result.marks_[i] = marks_[v];
+      result.state_[i] = state_[v];
       result.hint_[i] = hint_[v];
       result.input_[i] = input_[v];
-      result.block_[i] = Index(i / vertices_a_block);
+      result.block_[i] = Index(i >> shift);
     }
   });
   result.faces_ = std::move(faces);

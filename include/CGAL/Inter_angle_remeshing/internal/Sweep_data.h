@@ -26,14 +26,10 @@ public:
 
   enum class Mobility : std::uint8_t
   {
-    fixed,     // on a curve, locked, or of a valence that no sweep is written for
+    fixed,     // on a curve, or locked
     guarded,   // beside a curve, whose vertices cannot get out of the way: every step is tested
     free
   };
-
-  // Larger rings do not fit on the stack of a guarded step; flips and collapses have taken such valences away before
-  // a sweep matters.
-  static constexpr int MAXIMUM_VALENCE = 64;
 
   // Reads the mesh. Buffers are used again from one pass to the next.
   template <class ConcurrencyTag>
@@ -57,8 +53,8 @@ public:
   {
     for (const std::vector<Index>& colour : colours_)
       for_each_block<ConcurrencyTag>(colour.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
-        const std::size_t begin = std::size_t(colour[i]) * block_size_;
-        function(begin, (std::min)(size(), begin + block_size_));
+        const std::size_t begin = std::size_t(colour[i]) << block_shift_;
+        function(begin, (std::min)(size(), begin + (std::size_t(1) << block_shift_)));
       });
   }
 
@@ -71,13 +67,15 @@ private:
   template <class ConcurrencyTag>
   void read_rings(const Remeshing_mesh& mesh);
   template <class ConcurrencyTag>
+  void guard_beside_curves(const Remeshing_mesh& mesh);
+  template <class ConcurrencyTag>
   void colour_blocks();
   void find_neighbor_blocks(std::size_t block, std::vector<Index>& neighbors) const;
 
   std::vector<Index> rank_;            // of the mesh's vertices in the order
   std::vector<std::uint32_t> ring_start_;
   std::vector<Index> rings_;
-  std::size_t block_size_ = 1;
+  unsigned block_shift_ = 0;           // blocks hold 2^block_shift_ vertices
   std::vector<std::vector<Index>> neighbor_blocks_;
   std::vector<std::vector<Index>> colours_;
 };
@@ -95,7 +93,7 @@ void Sweep_data::read(const Remeshing_mesh& mesh)
   for_each_block<ConcurrencyTag>(n, SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
       const Index v = order[i];
-      const bool is_fixed = !mesh.is_free(v) || mesh.valence(v) > MAXIMUM_VALENCE;
+      const bool is_fixed = !mesh.is_free(v);
       rank_[v] = Index(i);
       position[i] = mesh.position(v);
       hint[i] = mesh.hint(v);
@@ -106,7 +104,9 @@ void Sweep_data::read(const Remeshing_mesh& mesh)
   ring_start_[0] = 0;
   for (std::size_t i = 0; i < n; ++i) ring_start_[i + 1] += ring_start_[i];
   read_rings<ConcurrencyTag>(mesh);
-  block_size_ = Remeshing_mesh::block_size(n);
+  if (std::find(mobility.begin(), mobility.end(), Mobility::fixed) != mobility.end())
+    guard_beside_curves<ConcurrencyTag>(mesh);
+  block_shift_ = Remeshing_mesh::block_shift(n);
   colour_blocks<ConcurrencyTag>();
 }
 
@@ -118,35 +118,41 @@ void Sweep_data::read_rings(const Remeshing_mesh& mesh)
     for (std::size_t i = begin; i < end; ++i) {
       if (mobility[i] == Mobility::fixed) continue;
       Index* out = rings_.data() + ring_start_[i];
-      bool is_beside_curve = false;
-      mesh.for_each_in_fan(mesh.first(order[i]), [&](Index h) {
-        const Index u = mesh.target(h);
-        is_beside_curve |= mesh.is_on_curve(u);
-        *out++ = rank_[u];
-      });
-      if (is_beside_curve) mobility[i] = Mobility::guarded;
+      mesh.for_each_in_fan(mesh.first(order[i]), [&](Index h) { *out++ = rank_[mesh.target(h)]; });
     }
   });
 }
 
 inline void Sweep_data::find_neighbor_blocks(std::size_t block, std::vector<Index>& neighbors) const
 {
-  const std::size_t begin = block * block_size_, end = (std::min)(size(), begin + block_size_);
+  const std::size_t begin = block << block_shift_;
+  const std::size_t end = (std::min)(size(), begin + (std::size_t(1) << block_shift_));
   neighbors.clear();
   Index last = -1;
   for (std::uint32_t i = ring_start_[begin]; i < ring_start_[end]; ++i) {
-    const Index other = Index(std::size_t(rings_[i]) / block_size_);
+    const Index other = rings_[i] >> block_shift_;
     if (other == last || std::size_t(other) == block) continue;
     last = other;
     if (std::find(neighbors.begin(), neighbors.end(), other) == neighbors.end()) neighbors.push_back(other);
   }
 }
 
+template <class ConcurrencyTag>
+void Sweep_data::guard_beside_curves(const Remeshing_mesh& mesh)
+{
+  for_each_block<ConcurrencyTag>(size(), SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (mobility[i] == Mobility::free &&
+          std::any_of(ring(i), ring(i) + valence(i), [&](Index j) { return mesh.is_on_curve(order[j]); }))
+        mobility[i] = Mobility::guarded;
+  });
+}
+
 // Greedy, in block order; 8 to 10 colours.
 template <class ConcurrencyTag>
 void Sweep_data::colour_blocks()
 {
-  const std::size_t blocks = number_of_blocks(size(), block_size_);
+  const std::size_t blocks = number_of_blocks(size(), std::size_t(1) << block_shift_);
   neighbor_blocks_.resize(blocks);
   for_each_block<ConcurrencyTag>(blocks, 8, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t b = begin; b < end; ++b) find_neighbor_blocks(b, neighbor_blocks_[b]);

@@ -71,25 +71,27 @@ inline bool keeps_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, con
          squared_distance_to_segment(mesh.position(a), from, to) <= limits.squared_deviation;
 }
 
-// Whether the faces that replace the star of h's source are fit: no edge too long, no face turned, the removed point
-// near. The last keeps tips and ridges.
+// Whether the faces that replace the star of h's source are fit: no edge too long, no face turned, and one of them
+// near the removed point. The last keeps tips and ridges.
 inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Collapse_limits& limits)
 {
   using Index = Remeshing_mesh::Index;
   const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
-  const Vector3 &p = mesh.position(a), &q = mesh.position(b);
-  double nearest = std::numeric_limits<double>::infinity();
-  bool is_fit = true;
-  mesh.for_each_in_fan(mesh.first(a), [&](Index k) {
-    const Index c = mesh.target(k), d = mesh.apex(k);
-    if (!is_fit || c == b || d == b) return;
-    const Vector3 &r = mesh.position(c), &s = mesh.position(d);
-    is_fit = squared_distance(q, r) <= limits.squared_length && squared_distance(q, s) <= limits.squared_length &&
-             is_cosine_at_least(triangle_cross(p, r, s), triangle_cross(q, r, s), COLLAPSE_NORMAL_COSINE);
-    if (is_fit)
-      nearest = (std::min)(nearest, squared_distance(closest_point_on_triangle(p, q, r, s).point, p));
+  const Vector3 p = mesh.position(a), q = mesh.position(b);
+  const bool has_short_edges = mesh.all_in_fan(mesh.first(a), [&](Index k) {
+    return squared_distance(q, mesh.position(mesh.target(k))) <= limits.squared_length;
   });
-  return is_fit && (nearest <= limits.squared_tolerance || mesh.is_on_curve(a));
+  if (!has_short_edges) return false;
+  bool is_near = mesh.is_on_curve(a);     // what a curve may lose, keeps_curve() says
+  const bool turns_no_face = mesh.all_in_fan(mesh.first(a), [&](Index k) {
+    const Index c = mesh.target(k), d = mesh.apex(k);
+    if (c == b || d == b) return true;
+    const Vector3 &r = mesh.position(c), &s = mesh.position(d);
+    if (!is_cosine_at_least(triangle_cross(p, r, s), triangle_cross(q, r, s), COLLAPSE_NORMAL_COSINE)) return false;
+    is_near = is_near || squared_distance(closest_point_on_triangle(p, q, r, s).point, p) <= limits.squared_tolerance;
+    return true;
+  });
+  return turns_no_face && is_near;
 }
 
 // The half-edge whose source is to be merged into its target, for the edge of h; NO_COLLAPSE where neither may be.

@@ -8,6 +8,9 @@
 #include <CGAL/Inter_angle_remeshing/internal/Reference_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/Vector3.h>
 
+#include <CGAL/exceptions.h>
+#include <CGAL/number_utils.h>
+
 #include <boost/property_map/property_map.hpp>
 
 // The projectors that passes see: `Vector3 operator()(const Vector3& q, Index& hint) const`, in the units of the flat
@@ -29,6 +32,11 @@ struct Surface_projection
   {
     return (1 / factor) * surface.walk(factor * q, hint);
   }
+  // Whether the face of the hint looks to the same side as the normal: if not, it belongs to another sheet.
+  bool is_compatible(Corner_table::Index hint, const Vector3& normal) const
+  {
+    return dot(surface.cross_product(hint), normal) > 0;
+  }
 };
 
 struct No_projection
@@ -36,7 +44,19 @@ struct No_projection
   static constexpr bool IS_CONCURRENT = true;
 
   Vector3 operator()(const Vector3& q, Corner_table::Index&) const { return q; }
+  bool is_compatible(Corner_table::Index, const Vector3&) const { return true; }
 };
+
+// What a functor of the user's returned; the run ends where that is no point.
+template <class Point_3>
+Vector3 to_finite_vector(const Point_3& p)
+{
+  const Vector3 v{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+  if (!is_finite(v))
+    throw CGAL::Postcondition_exception("Inter_angle_remeshing", "projection_functor", __FILE__, __LINE__,
+                                        "the projection functor returned a point that is not finite");
+  return v;
+}
 
 // By a functor of the user's that takes a point.
 template <class Functor, class Point_3>
@@ -51,8 +71,9 @@ struct Point_functor_projection
   {
     const Vector3 p = unit * q;
     const Point_3 r = functor(Point_3(p.x, p.y, p.z));
-    return (1 / unit) * Vector3{CGAL::to_double(r.x()), CGAL::to_double(r.y()), CGAL::to_double(r.z())};
+    return (1 / unit) * to_finite_vector(r);
   }
+  bool is_compatible(Corner_table::Index, const Vector3&) const { return true; }
 };
 
 // By a functor of the user's that takes a vertex and reads its point. One vertex of the range carries the points of
@@ -77,8 +98,9 @@ public:
     const Vector3 p = unit_ * q;
     put(vpm_, carrier_, Point_3(p.x, p.y, p.z));
     const Point_3 r = functor_(carrier_);
-    return (1 / unit_) * Vector3{CGAL::to_double(r.x()), CGAL::to_double(r.y()), CGAL::to_double(r.z())};
+    return (1 / unit_) * to_finite_vector(r);
   }
+  bool is_compatible(Corner_table::Index, const Vector3&) const { return true; }
 
 private:
   const Functor& functor_;

@@ -10,8 +10,8 @@
 #include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -29,13 +29,24 @@ constexpr double RHO_FIXED = 0.6, RHO_FREE = 0.85;
 constexpr double RHO_GUARDED = 0.9;
 // Sweeps for which normals and dampings hold.
 constexpr unsigned SWEEPS_A_REFRESH = 4;
-// Smallest cosine between the normals of a face before and after a guarded step: 60 degrees.
+// Smallest cosine between the normals of a face before and after a step: 60 degrees.
 constexpr double STEP_NORMAL_COSINE = 0.5;
-// A guarded step is tried in full, by half and by a quarter.
+// A step that turns a face too far is tried again by half and by a quarter.
 constexpr int STEP_TRIALS = 3;
+// A tangential step that is shorter than half the altitude of the star's smallest face, over a link edge of the
+// length that it has in an equilateral triangle of the star's mean area, turns no face. In terms of the faces' cross
+// products c, the square of that is 1/4 |c_min|² / (2/√3 mean |c|).
+constexpr double SAFE_STEP_FACTOR = 0.25 * 0.8660254037844386;
 
 // When vertices are pulled back onto the surface; guarded steps always are.
 enum class Pull_back { never, after_last_sweep, after_each_sweep };
+
+// Whether a face with the cross product `after` looks more along the normal than one with `before`.
+inline bool turns_towards(const Vector3& before, const Vector3& after, const Vector3& normal)
+{
+  const double old_part = dot(before, normal), new_part = dot(after, normal);
+  return new_part > 0 && new_part * length(before) > old_part * length(after);
+}
 
 class Relaxation
 {
@@ -51,11 +62,13 @@ public:
 private:
   using Mobility = Sweep_data::Mobility;
 
-  // The star of a vertex: the sum of its faces' cross products, the sum of their lengths, and the step to the centre.
+  // The star of a vertex: the sum of its faces' cross products, the sum of their lengths and the smallest one, and
+  // the step to the centre.
   struct Star
   {
     Vector3 cross;
     double area = 0;
+    double smallest = std::numeric_limits<double>::infinity();
     Vector3 to_centre;
   };
 
@@ -70,8 +83,11 @@ private:
     return (std::min)(1., (std::max)(0., (rho - RHO_FIXED) / (RHO_FREE - RHO_FIXED)));
   }
 
+  Vector3 refresh(std::size_t i);
   template <class Projector>
   void sweep(std::size_t begin, std::size_t end, bool is_refresh, const Projector& projector);
+  bool turns_no_face(std::size_t i, const Vector3& q) const;
+  void take_step(std::size_t i, const Vector3& step);
   template <class Projector>
   void take_guarded_step(std::size_t i, const Vector3& step, const Projector& projector);
   template <class ConcurrencyTag, class Projector>
@@ -81,6 +97,7 @@ private:
   Sweep_data data_;
   std::vector<Vector3> normal_;       // unit
   std::vector<double> step_factor_;   // λ times damping; negative: guarded
+  std::vector<double> safe_step_;     // squared length of a step that need not be tested
 };
 
 template <int VALENCE>
@@ -95,8 +112,10 @@ Relaxation::Star Relaxation::star_of(std::size_t i, int valence) const
   for (int k = 0; k < n; ++k) {
     const Vector3 current = data_.position[ring[k]] - p;
     const Vector3 c = cross(previous, current);
+    const double doubled_area = length(c);
     result.cross += c;
-    result.area += length(c);
+    result.area += doubled_area;
+    result.smallest = (std::min)(result.smallest, doubled_area);
     sum += current;
     previous = current;
   }
@@ -152,64 +171,94 @@ inline Vector3 Relaxation::to_weighted_centre(std::size_t i) const
   return total > 0 ? (1 / total) * sum : Vector3();
 }
 
+// Takes normal, damping and safe step of vertex i from its star as it is; returns the step to the centre.
+inline Vector3 Relaxation::refresh(std::size_t i)
+{
+  const Star s = star(i);
+  const double l = length(s.cross);
+  if (!(l > 0)) {
+    normal_[i] = Vector3();
+    step_factor_[i] = safe_step_[i] = 0;
+    return {};
+  }
+  const double rho = l / s.area;
+  normal_[i] = (1 / l) * s.cross;
+  step_factor_[i] = recipe_.relaxation * damping(rho);
+  if (rho < RHO_GUARDED || data_.mobility[i] == Mobility::guarded) step_factor_[i] = -step_factor_[i];
+  safe_step_[i] = SAFE_STEP_FACTOR * data_.valence(i) * s.smallest * s.smallest / s.area;
+  return s.to_centre;
+}
+
 template <class Projector>
 void Relaxation::sweep(std::size_t begin, std::size_t end, bool is_refresh, const Projector& projector)
 {
   for (std::size_t i = begin; i < end; ++i) {
-    const Mobility mobility = data_.mobility[i];
-    if (mobility == Mobility::fixed) continue;
-    Vector3 to_centre;
-    if (is_refresh || step_factor_[i] < 0) {
-      const Star s = star(i);
-      const double l = length(s.cross);
-      if (!(l > 0)) { step_factor_[i] = 0; normal_[i] = Vector3(); continue; }
-      const double rho = l / s.area;
-      normal_[i] = (1 / l) * s.cross;
-      if (is_refresh || rho < RHO_GUARDED) {
-        step_factor_[i] = recipe_.relaxation * damping(rho);
-        if (rho < RHO_GUARDED || mobility == Mobility::guarded) step_factor_[i] = -step_factor_[i];
-      }
-      to_centre = s.to_centre;
-    } else
-      to_centre = this->to_centre(i);
+    if (data_.mobility[i] == Mobility::fixed) continue;
+    const Vector3 to_centre = is_refresh || std::signbit(step_factor_[i]) ? refresh(i) : this->to_centre(i);
     const Vector3 tangential = to_centre - dot(to_centre, normal_[i]) * normal_[i];
     if (std::signbit(step_factor_[i])) take_guarded_step(i, -step_factor_[i] * tangential, projector);
-    else data_.position[i] += step_factor_[i] * tangential;
+    else take_step(i, step_factor_[i] * tangential);
   }
 }
 
-// Projects at once, and accepts the first of the trials that turns no face.
-template <class Projector>
-void Relaxation::take_guarded_step(std::size_t i, const Vector3& step, const Projector& projector)
+// Whether no face around vertex i turns by more than 60 degrees when the vertex moves to q, unless it turns towards
+// the normal of the star: a face that lies on its back, or a needle whose normal means little, may.
+inline bool Relaxation::turns_no_face(std::size_t i, const Vector3& q) const
 {
   const int n = data_.valence(i);
   const Index* ring = data_.ring(i);
-  const Vector3 p = data_.position[i];
-  std::array<Vector3, Sweep_data::MAXIMUM_VALENCE> link, old_cross;
-  for (int k = 0; k < n; ++k) link[k] = data_.position[ring[k]];
-  for (int k = 0; k < n; ++k) old_cross[k] = triangle_cross(p, link[k], link[(k + 1) % n]);
+  const Vector3& p = data_.position[i];
+  Vector3 previous = data_.position[ring[n - 1]];
+  for (int k = 0; k < n; ++k) {
+    const Vector3 current = data_.position[ring[k]];
+    const Vector3 before = triangle_cross(p, previous, current), after = triangle_cross(q, previous, current);
+    if (!is_cosine_at_least(before, after, STEP_NORMAL_COSINE) && !turns_towards(before, after, normal_[i])) return false;
+    previous = current;
+  }
+  return true;
+}
 
+inline void Relaxation::take_step(std::size_t i, const Vector3& step)
+{
+  const bool is_safe = squared_length(step) <= safe_step_[i];
+  double factor = 1;
+  for (int trial = 0; trial < STEP_TRIALS; ++trial, factor /= 2) {
+    const Vector3 q = data_.position[i] + factor * step;
+    if (!is_safe && !turns_no_face(i, q)) continue;
+    data_.position[i] = q;
+    return;
+  }
+}
+
+// Projects at once.
+template <class Projector>
+void Relaxation::take_guarded_step(std::size_t i, const Vector3& step, const Projector& projector)
+{
   double factor = 1;
   for (int trial = 0; trial < STEP_TRIALS; ++trial, factor /= 2) {
     Index hint = data_.hint[i];
-    const Vector3 q = projector(p + factor * step, hint);
-    bool is_fit = true;
-    for (int k = 0; k < n && is_fit; ++k)
-      is_fit = is_cosine_at_least(old_cross[k], triangle_cross(q, link[k], link[(k + 1) % n]), STEP_NORMAL_COSINE);
-    if (!is_fit) continue;
+    const Vector3 q = projector(data_.position[i] + factor * step, hint);
+    if (!projector.is_compatible(hint, normal_[i]) || !turns_no_face(i, q)) continue;
     data_.position[i] = q;
     data_.hint[i] = hint;
     return;
   }
 }
 
+// A vertex whose projection would turn a face, or lead onto another sheet, stays where it is until the next time.
 template <class ConcurrencyTag, class Projector>
 void Relaxation::project_all(const Projector& projector)
 {
-  for_each_block<ConcurrencyTag>(data_.size(), 512, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (data_.mobility[i] != Mobility::fixed)
-        data_.position[i] = projector(data_.position[i], data_.hint[i]);
+  data_.for_each_coloured_block<ConcurrencyTag>([&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (data_.mobility[i] == Mobility::fixed) continue;
+      Index hint = data_.hint[i];
+      const Vector3 q = projector(data_.position[i], hint);
+      if (!projector.is_compatible(hint, normal_[i]) ||
+          !(squared_distance(q, data_.position[i]) <= safe_step_[i] || turns_no_face(i, q))) continue;
+      data_.position[i] = q;
+      data_.hint[i] = hint;
+    }
   });
 }
 
@@ -220,6 +269,10 @@ std::size_t Relaxation::run(Remeshing_mesh& mesh, const Projector& projector, un
   data_.read<ConcurrencyTag>(mesh);
   normal_.resize(data_.size());
   step_factor_.resize(data_.size());
+  safe_step_.resize(data_.size());
+  if (sweeps == 0)
+    for (std::size_t i = 0; i < data_.size(); ++i)
+      if (data_.mobility[i] != Mobility::fixed) refresh(i);
   for (unsigned s = 0; s < sweeps; ++s) {
     data_.for_each_coloured_block<Tag>([&](std::size_t begin, std::size_t end) {
       sweep(begin, end, s % SWEEPS_A_REFRESH == 0, projector);

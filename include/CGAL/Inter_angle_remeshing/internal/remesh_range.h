@@ -59,6 +59,9 @@ inline void check_recipe(const Recipe& recipe)
   if (recipe.glide_depth > MAXIMUM_GLIDE_DEPTH)
     refuse(REMESHING, "Recipe::glide_depth is " + std::to_string(recipe.glide_depth) + "; at most " +
                       std::to_string(MAXIMUM_GLIDE_DEPTH) + " is possible");
+  if (!(recipe.lower_angle >= 0 && recipe.lower_angle < 60 && recipe.upper_angle > 60 && recipe.upper_angle <= 180))
+    refuse(REMESHING, "the band of angles [" + std::to_string(recipe.lower_angle) + ", " +
+                      std::to_string(recipe.upper_angle) + "] of the recipe must lie in [0, 180] and hold 60 inside");
   if (!(recipe.collapse_tolerance >= 0))
     refuse(REMESHING, "Recipe::collapse_tolerance is negative or not a number");
 }

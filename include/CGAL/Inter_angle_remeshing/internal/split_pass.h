@@ -28,12 +28,10 @@ constexpr std::size_t PROJECTION_BLOCK = 256;
 // Whether the faces around v keep their orientation when v moves to p: no normal turns by more than 60 degrees.
 inline bool keeps_orientation(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, const Vector3& p)
 {
-  bool keeps = true;
-  mesh.for_each_in_fan(mesh.first(v), [&](Remeshing_mesh::Index h) {
+  return mesh.all_in_fan(mesh.first(v), [&](Remeshing_mesh::Index h) {
     const Vector3 &a = mesh.position(mesh.target(h)), &b = mesh.position(mesh.apex(h)), &q = mesh.position(v);
-    keeps = keeps && is_cosine_at_least(triangle_cross(q, a, b), triangle_cross(p, a, b), 0.5);
+    return is_cosine_at_least(triangle_cross(q, a, b), triangle_cross(p, a, b), 0.5);
   });
-  return keeps;
 }
 
 // Moves the new vertices that do not lie on a curve onto the surface, from the nearer one of the two places where
