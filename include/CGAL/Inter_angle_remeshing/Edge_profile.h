@@ -24,6 +24,12 @@
 namespace CGAL {
 namespace Inter_angle_remeshing {
 
+namespace internal {
+// target(h, g), called from where a member of the same name hides it.
+template <class Halfedge, class Graph>
+auto target_vertex(const Halfedge& h, const Graph& g) { return target(h, g); }
+} // namespace internal
+
 /*!
 \ingroup PkgInterAngleRemeshingPolicies
 
@@ -193,11 +199,7 @@ public:
 
 private:
   halfedge_descriptor opposite_halfedge() const { return opposite(halfedge_, *tmesh_); }
-  vertex_descriptor target_of(halfedge_descriptor h) const
-  {
-    using CGAL::target;
-    return target(h, *tmesh_);
-  }
+  vertex_descriptor target_of(halfedge_descriptor h) const { return internal::target_vertex(h, *tmesh_); }
   vertex_descriptor apex_of(halfedge_descriptor h) const { return target_of(next(h, *tmesh_)); }
   bool has_face(halfedge_descriptor h) const { return face(h, *tmesh_) != Traits::null_face(); }
 
@@ -273,6 +275,7 @@ std::array<double, 6> Edge_profile<TM, VPM, ECM, IVM>::flipped_cosines() const
           corner_cosine(l, r, t), corner_cosine(t, l, r), corner_cosine(r, t, l)};
 }
 
+#ifndef DOXYGEN_RUNNING
 template <class TM, class VPM, class ECM, class IVM>
 double Edge_profile<TM, VPM, ECM, IVM>::dihedral_cosine() const
 {
@@ -283,6 +286,7 @@ double Edge_profile<TM, VPM, ECM, IVM>::dihedral_cosine() const
   const double product = internal::squared_length(left) * internal::squared_length(right);
   return product > 0 ? internal::dot(left, right) / std::sqrt(product) : -1.;
 }
+#endif
 
 template <class TM, class VPM, class ECM, class IVM>
 double Edge_profile<TM, VPM, ECM, IVM>::dihedral_angle() const

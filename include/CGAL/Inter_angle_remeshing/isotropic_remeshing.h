@@ -99,7 +99,7 @@ number of faces of the range and of the result, per iteration.
                           called by one thread, always with the same vertex of the range, whose point is set for the
                           call and restored in the end: it may read nothing else. `Closest_point_projector` runs
                           from warm starts. Hand functors with a state over by `std::ref`.}
-    \cgalParamType{a functor}
+    \cgalParamType{a model of `RemeshingProjector`}
     \cgalParamDefault{onto the closest point of the range as it was, starting from where the vertex was}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
@@ -182,10 +182,12 @@ number of faces of the range and of the result, per iteration.
 @returns what was done
 
 @throws CGAL::Precondition_exception, in release builds too and before anything is changed, if: a face of the range is
-        not a triangle; a coordinate is not finite; all points are equal; `length` is negative, not finite, or so small
-        that the result could not be indexed (about 350 million faces); the wanted number of faces is 0; a vertex has
-        more than 16383 faces; two protected edges join the same vertices; a member of the recipe or
-        `sharpness_angle` is out of its range; or `relax_constraints(true)` is asked for
+        not a triangle; it has more than 268 million faces; a coordinate, or the extent of the range, is not finite; all
+        points are equal; `length` is negative, not finite, or so small that the result could not be indexed (about 350
+        million faces); the wanted number of faces is 0; a vertex has more than 16383 faces; two protected edges join
+        the same vertices; a member of the recipe, `sharpness_angle` or a number of iterations or relaxation steps is
+        out of its range; or `relax_constraints(true)` is asked for
+@throws CGAL::Postcondition_exception if the projection functor returns a point that is not finite; nothing is changed
 @throws whatever a policy, projector, visitor, callback or property map of the user's throws
 */
 template <class ConcurrencyTag = CGAL::Sequential_tag, class FaceRange, class Length, class TriangleMesh,

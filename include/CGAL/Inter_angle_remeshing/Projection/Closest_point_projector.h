@@ -38,6 +38,8 @@ All queries are const and may run concurrently. One without a known place takes 
 @tparam TriangleMesh a model of `FaceListGraph`
 @tparam VertexPointMap a model of `ReadablePropertyMap` with the vertices of `TriangleMesh` as key type and a point of a
         \cgal kernel as value type
+
+\cgalModels `RemeshingProjector`
 */
 template <class TriangleMesh,
           class VertexPointMap = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>

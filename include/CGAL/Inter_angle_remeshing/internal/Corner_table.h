@@ -84,18 +84,6 @@ public:
     } while (k >= 0 && k != first);
   }
 
-  // Whether `predicate(k)` holds for all of them; stops at the first one for which it does not.
-  template <class Predicate>
-  bool all_in_fan(Index first, const Predicate& predicate) const
-  {
-    Index k = first;
-    do {
-      if (!predicate(k)) return false;
-      k = rotate_ccw(k);
-    } while (k >= 0 && k != first);
-    return true;
-  }
-
   // The half-edge with which the fan of h's origin begins: h itself unless the origin is on the border.
   Index fan_start(Index h) const
   {

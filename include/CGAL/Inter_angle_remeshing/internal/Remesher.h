@@ -70,8 +70,10 @@ public:
   }
 
 private:
-  // Iterations at the end that relax longest, and settle what is left to split.
+  // Iterations at the end that relax longest, flip in several rounds, and settle what is left to split.
   static constexpr unsigned LAST_ITERATIONS = 2;
+  // The iteration from which on glides pay: before, splits and collapses stir the valences up too much.
+  static constexpr unsigned FIRST_GLIDES = 2;
   // Sweeps after the clean-up.
   static constexpr unsigned CLEAN_UP_SWEEPS = 3;
 
@@ -84,12 +86,17 @@ private:
     if (goes_on()) split(short_edges);
     if (goes_on()) collapse(short_edges);
     if (i < orderings()) mesh_.renumber<ConcurrencyTag>(morton_order(mesh_));
-    for (unsigned round = 0; round < recipe_.flip_rounds && goes_on(); ++round) flip();
+    for (unsigned round = 0; round < flip_rounds() && goes_on(); ++round) flip();
     if (goes_on()) relax();
     context_.visitor.end_iteration(i, mesh_);
     ++report_.iterations;
     if (schedule_.is_verbose) print_iteration();
   }
+
+  bool is_late() const { return report_.iterations + LAST_ITERATIONS >= schedule_.iterations; }
+
+  // More than one round pays only where splits and collapses no longer stir up the valences.
+  unsigned flip_rounds() const { return is_late() ? recipe_.flip_rounds : (std::min)(1u, recipe_.flip_rounds); }
 
   void split(std::vector<Remeshing_mesh::Index>& short_edges)
   {
@@ -105,8 +112,7 @@ private:
         sort_by_length(long_edges, short_edges, is_never_split, is_never_collapsed);
         const std::size_t splits = split_pass<ConcurrencyTag>(context_, long_edges, short_edges);
         count += splits;
-        if (splits == 0 || report_.iterations + LAST_ITERATIONS < schedule_.iterations || !has_far_too_long_edges())
-          break;
+        if (splits == 0 || !is_late() || !has_far_too_long_edges()) break;
       }
       return count;
     });
@@ -138,17 +144,16 @@ private:
   {
     if (is_never(context_.flip_policy)) return;
     run_pass(Pass::flip, report_.flips, [&]() { return flip_pass<ConcurrencyTag>(context_); });
-    if (recipe_.glide_depth > 0)
+    if (recipe_.glide_depth > 0 && (report_.iterations >= FIRST_GLIDES || is_late()))
       run_pass(Pass::glide, report_.glides, [&]() { return glide_pass<ConcurrencyTag>(context_); });
   }
 
   void relax()
   {
-    const unsigned i = report_.iterations;
-    const bool is_late = i + LAST_ITERATIONS >= schedule_.iterations;
     // Between the passes of the early iterations, being a little off the surface does no harm.
-    const Pull_back pull_back = is_late || i % 2 == 0 ? Pull_back::after_last_sweep : Pull_back::never;
-    relax(is_late ? recipe_.last_sweeps : recipe_.sweeps, pull_back);
+    const bool is_pulled_back = is_late() || report_.iterations % 2 == 0;
+    relax(is_late() ? recipe_.last_sweeps : recipe_.sweeps,
+          is_pulled_back ? Pull_back::after_last_sweep : Pull_back::never);
   }
 
   void relax(unsigned sweeps, Pull_back pull_back)
@@ -175,12 +180,12 @@ private:
   {
     if (context_.target_length > 0 && !is_never(context_.collapse_policy))
       run_pass(Pass::clean_up, report_.collapses, [&]() { return clean_up_pass(context_); });
-    if (!is_never(context_.flip_policy))
+    if (goes_on() && !is_never(context_.flip_policy))
       run_pass(Pass::flip, report_.flips, [&]() { return flip_pass<ConcurrencyTag>(context_); });
-    if (recipe_.sweeps == 0) return;
-    relax(CLEAN_UP_SWEEPS, Pull_back::after_each_sweep);
+    if (goes_on() && recipe_.sweeps > 0) relax(CLEAN_UP_SWEEPS, Pull_back::after_last_sweep);
     std::size_t moves = 0;
-    run_pass(Pass::polish, moves, [&]() { return polish_pass(context_, context_.target_length); });
+    if (goes_on() && recipe_.sweeps > 0)
+      run_pass(Pass::polish, moves, [&]() { return polish_pass(context_, context_.target_length); });
   }
 
   // Runs a pass, tells the visitor and the callback about it.
@@ -192,7 +197,7 @@ private:
     total += count;
     context_.visitor.end_pass(pass, mesh_, count);
     if (!schedule_.callback) return;
-    const double passes_an_iteration = 3. + 2. * recipe_.flip_rounds;
+    const double passes_an_iteration = 3. + 2. * flip_rounds();
     const double done = (report_.iterations + ++passes_ / passes_an_iteration) / schedule_.iterations;
     if (!schedule_.callback((std::min)(done, 1.))) report_.ending = Remeshing_report::Ending::cancelled;
   }
@@ -219,6 +224,7 @@ private:
   Relaxation relaxation_;
   Remeshing_report report_;
   unsigned passes_ = 0;                  // done in this iteration
+  std::size_t steerings_ = 0;            // iterations since the number of faces came near the wanted one
 };
 
 // The number of faces falls from iteration to iteration as the mesh grows regular; measured, it lies above its final
@@ -228,9 +234,12 @@ void Remesher<ConcurrencyTag, Context>::steer_to_face_count(double first_target_
 {
   static constexpr double EXCESS[] = {1.15, 1.075, 1.045, 1.03, 1.018, 1.012, 1.007};
   static constexpr std::size_t SIZE = sizeof(EXCESS) / sizeof(EXCESS[0]);
-  const unsigned i = report_.iterations;
-  if (schedule_.wanted_faces == 0 || i < 2 || i + LAST_ITERATIONS >= schedule_.iterations) return;
-  const double expected = 1.01 * double(schedule_.wanted_faces) * EXCESS[(std::min)(std::size_t(i) - 1, SIZE - 1)];
+  // Until the count is this near, the mesh is still being refined or coarsened, and says nothing about the length.
+  static constexpr double NEAR = 1.3;
+  if (schedule_.wanted_faces == 0 || report_.iterations == 0 || is_late()) return;
+  const double ratio = double(mesh_.number_of_live_faces()) / double(schedule_.wanted_faces);
+  if (ratio > NEAR || ratio < 1 / NEAR || ++steerings_ < 2) return;
+  const double expected = 1.01 * double(schedule_.wanted_faces) * EXCESS[(std::min)(steerings_ - 1, SIZE - 1)];
   const double corrected = context_.target_length * std::sqrt(double(mesh_.number_of_live_faces()) / expected);
   context_.target_length = (std::max)(0.88 * first_target_length, (std::min)(1.15 * first_target_length, corrected));
 }

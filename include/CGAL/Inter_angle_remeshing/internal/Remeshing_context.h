@@ -58,18 +58,16 @@ struct Remeshing_context
   bool may_collapse_constraints;
   double target_length;                // in the units of the flat mesh; 0: nothing is split or collapsed
 
-  // An edge longer than this many target lengths is split, a shorter one is collapsed (Botsch and Kobbelt 2004): at
-  // 4/3 both halves are nearer to the target length than the whole, at 4/5 the merged edge is.
-  static constexpr double TOO_LONG = 4. / 3, TOO_SHORT = 4. / 5;
-
-  double squared_length_limit() const { return (TOO_LONG * target_length) * (TOO_LONG * target_length); }
-  double squared_shortness_limit() const { return (TOO_SHORT * target_length) * (TOO_SHORT * target_length); }
+  double squared_length_limit() const { return squared(recipe.split_ratio * target_length); }
+  double squared_shortness_limit() const { return squared(recipe.collapse_ratio * target_length); }
 
   bool permits_split(Index h) const { return permits(split_policy, h, false); }
   bool permits_collapse(Index h) const { return permits(collapse_policy, h, false); }
   bool permits_flip(Index h, bool is_transient) const { return permits(flip_policy, h, is_transient); }
 
 private:
+  static double squared(double x) { return x * x; }
+
   bool permits(const Constant_policy& policy, Index, bool) const { return policy.value; }
 
   template <class Policy>

@@ -72,6 +72,7 @@ public:
   const Vector3& position(Index v) const { return position_[v]; }
   Vector3& position(Index v) { return position_[v]; }
   const std::vector<Vector3>& positions() const { return position_; }
+  int number_of_faces_around(Index v) const { return valence(v) - (is_border_vertex(v) ? 1 : 0); }
   // The half-edge that begins the fan of v.
   Index first(Index v) const { return first_[v]; }
   void set_first(Index v, Index h) { first_[v] = h; }
@@ -121,17 +122,39 @@ public:
 
   double squared_edge_length(Index h) const { return squared_distance(position_[origin(h)], position_[target(h)]); }
 
+  // Calls `function(h)` for the half-edges that leave v through a face, counterclockwise. They are counted, not taken
+  // until the fan closes: the processor need not wait for the end of one fan to begin with the next.
+  template <class Function>
+  void for_each_around(Index v, const Function& function) const
+  {
+    Index h = first_[v];
+    for (int k = number_of_faces_around(v); k > 0; --k) {
+      const Index following = rotate_ccw(h);
+      function(h);
+      h = following;
+    }
+  }
+
+  // Whether `predicate(h)` holds for all of them; stops at the first one for which it does not.
+  template <class Predicate>
+  bool all_around(Index v, const Predicate& predicate) const
+  {
+    Index h = first_[v];
+    for (int k = number_of_faces_around(v); k > 0; --k, h = rotate_ccw(h))
+      if (!predicate(h)) return false;
+    return true;
+  }
+
   // Calls `function(u)` for each neighbour u of v, counterclockwise.
   template <class Function>
   void for_each_neighbor(Index v, const Function& function) const
   {
     Index h = first_[v];
-    do {
+    for (int k = number_of_faces_around(v); k > 0; --k) {
       function(target(h));
-      const Index following = rotate_ccw(h);
-      if (following < 0) { function(apex(h)); return; }
-      h = following;
-    } while (h != first_[v]);
+      if (k == 1 && is_border_vertex(v)) function(apex(h));
+      h = rotate_ccw(h);
+    }
   }
 
   bool is_adjacent(Index u, Index v) const
@@ -355,7 +378,8 @@ inline Remeshing_mesh::Index Remeshing_mesh::split(Index h, const Vector3& p)
   position_[m] = p;
   first_[m] = f1;
   state_[m] = Vertex_state{std::uint16_t(g >= 0 ? 4 : 3), 0, 6};
-  add_marks(m, (g >= 0 ? 0u : ON_BORDER) | (edge & CONSTRAINED ? ON_FEATURE : 0u));
+  if (g < 0) add_marks(m, ON_BORDER);
+  if (edge & CONSTRAINED) add_marks(m, ON_FEATURE);
   hint_[m] = hint_[a];
   input_[m] = NO_VERTEX;
   block_[m] = block_[a];
@@ -367,7 +391,7 @@ inline void Remeshing_mesh::collapse(Index h)
 {
   const Index g = opposite(h), a = source(h), b = source(g);
   touch_star(a);
-  for_each_in_fan(first_[a], [&](Index k) { set_origin(k, b); });
+  for_each_around(a, [&](Index k) { set_origin(k, b); });
   set_valence(b, valence(b) + valence(a) - (h >= 0 && g >= 0 ? 4 : 3));
 
   // Takes the triangle of the half-edge e between a and b out, and sews its other two edges together.
@@ -424,7 +448,7 @@ void Remeshing_mesh::renumber(const std::vector<Index>& order)
   std::vector<Index> new_face_of(number_of_face_slots(), -1), face_order;
   face_order.reserve(number_of_live_faces());
   for (std::size_t i = 0; i < n; ++i)
-    for_each_in_fan(first_[order[i]], [&](Index h) {
+    for_each_around(order[i], [&](Index h) {
       if (new_vertex_of[target(h)] > Index(i) && new_vertex_of[apex(h)] > Index(i)) {
         new_face_of[h >> 2] = Index(face_order.size());
         face_order.push_back(h >> 2);

@@ -9,6 +9,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -64,13 +65,15 @@ public:
   std::vector<Mobility> mobility;
 
 private:
+  static constexpr std::size_t RINGS_AT_ONCE = 8;
+
   template <class ConcurrencyTag>
   void read_rings(const Remeshing_mesh& mesh);
+  void read_some_rings(const Remeshing_mesh& mesh, std::size_t begin, std::size_t end);
+  void find_neighbor_blocks(std::size_t begin, std::size_t end, Index block);
   template <class ConcurrencyTag>
   void guard_beside_curves(const Remeshing_mesh& mesh);
-  template <class ConcurrencyTag>
   void colour_blocks();
-  void find_neighbor_blocks(std::size_t block, std::vector<Index>& neighbors) const;
 
   std::vector<Index> rank_;            // of the mesh's vertices in the order
   std::vector<std::uint32_t> ring_start_;
@@ -103,37 +106,53 @@ void Sweep_data::read(const Remeshing_mesh& mesh)
   });
   ring_start_[0] = 0;
   for (std::size_t i = 0; i < n; ++i) ring_start_[i + 1] += ring_start_[i];
+  block_shift_ = Remeshing_mesh::block_shift(n);
   read_rings<ConcurrencyTag>(mesh);
   if (std::find(mobility.begin(), mobility.end(), Mobility::fixed) != mobility.end())
     guard_beside_curves<ConcurrencyTag>(mesh);
-  block_shift_ = Remeshing_mesh::block_shift(n);
-  colour_blocks<ConcurrencyTag>();
+  colour_blocks();
 }
 
+// Turning about a vertex is a chain of loads that wait for each other: several rings are read side by side. Notes
+// beside the rings which blocks border on which.
 template <class ConcurrencyTag>
 void Sweep_data::read_rings(const Remeshing_mesh& mesh)
 {
   rings_.resize(ring_start_.back());
-  for_each_block<ConcurrencyTag>(size(), SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (mobility[i] == Mobility::fixed) continue;
-      Index* out = rings_.data() + ring_start_[i];
-      mesh.for_each_in_fan(mesh.first(order[i]), [&](Index h) { *out++ = rank_[mesh.target(h)]; });
-    }
+  const std::size_t block_size = std::size_t(1) << block_shift_;
+  neighbor_blocks_.resize(number_of_blocks(size(), block_size));
+  for_each_block<ConcurrencyTag>(size(), block_size, [&](std::size_t begin, std::size_t end, std::size_t block) {
+    for (std::size_t i = begin; i < end; i += RINGS_AT_ONCE)
+      read_some_rings(mesh, i, (std::min)(end, i + RINGS_AT_ONCE));
+    find_neighbor_blocks(begin, end, Index(block));
   });
 }
 
-inline void Sweep_data::find_neighbor_blocks(std::size_t block, std::vector<Index>& neighbors) const
+inline void Sweep_data::read_some_rings(const Remeshing_mesh& mesh, std::size_t begin, std::size_t end)
 {
-  const std::size_t begin = block << block_shift_;
-  const std::size_t end = (std::min)(size(), begin + (std::size_t(1) << block_shift_));
+  std::array<Index, RINGS_AT_ONCE> h;
+  int longest = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    h[i - begin] = mesh.first(order[i]);
+    longest = (std::max)(longest, valence(i));
+  }
+  for (int k = 0; k < longest; ++k)
+    for (std::size_t i = begin; i < end; ++i) {
+      if (k >= valence(i)) continue;
+      Index& current = h[i - begin];
+      rings_[ring_start_[i] + k] = rank_[mesh.target(current)];
+      current = mesh.rotate_ccw(current);
+    }
+}
+
+inline void Sweep_data::find_neighbor_blocks(std::size_t begin, std::size_t end, Index block)
+{
+  std::vector<Index>& neighbors = neighbor_blocks_[block];
   neighbors.clear();
-  Index last = -1;
-  for (std::uint32_t i = ring_start_[begin]; i < ring_start_[end]; ++i) {
-    const Index other = rings_[i] >> block_shift_;
-    if (other == last || std::size_t(other) == block) continue;
-    last = other;
-    if (std::find(neighbors.begin(), neighbors.end(), other) == neighbors.end()) neighbors.push_back(other);
+  for (std::uint32_t k = ring_start_[begin]; k < ring_start_[end]; ++k) {
+    const Index other = rings_[k] >> block_shift_;
+    if (other != block && std::find(neighbors.begin(), neighbors.end(), other) == neighbors.end())
+      neighbors.push_back(other);
   }
 }
 
@@ -149,14 +168,9 @@ void Sweep_data::guard_beside_curves(const Remeshing_mesh& mesh)
 }
 
 // Greedy, in block order; 8 to 10 colours.
-template <class ConcurrencyTag>
-void Sweep_data::colour_blocks()
+inline void Sweep_data::colour_blocks()
 {
-  const std::size_t blocks = number_of_blocks(size(), std::size_t(1) << block_shift_);
-  neighbor_blocks_.resize(blocks);
-  for_each_block<ConcurrencyTag>(blocks, 8, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t b = begin; b < end; ++b) find_neighbor_blocks(b, neighbor_blocks_[b]);
-  });
+  const std::size_t blocks = neighbor_blocks_.size();
   colours_.clear();
   std::vector<Index> colour_of(blocks, -1), seen_by;
   for (std::size_t b = 0; b < blocks; ++b) {

@@ -46,7 +46,7 @@ std::size_t clean_up_pass(Context& context)
     if (!mesh.is_vertex(v) || !mesh.is_free(v) || mesh.valence(v) > POOR_VALENCE) continue;
     Index best = NO_COLLAPSE;
     int best_gain = 0;
-    mesh.for_each_in_fan(mesh.first(v), [&](Index h) {
+    mesh.for_each_around(v, [&](Index h) {
       const int gain = collapse_gain(mesh, h);
       if (gain >= best_gain || !is_collapse_fit(mesh, h, limits) || !mesh.is_collapse_legal(h) ||
           !context.permits_collapse(h)) return;

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-// Collapses edges shorter than 4/5 of the target length (Zheng and Lv, edge collapse), as half-edge collapses: one
+// Collapses edges that are shorter than about 4/5 of the target length (Zheng and Lv, edge collapse), as half-edge collapses: one
 // end stays where it is, on the surface, and keeps its descriptor.
 
 namespace CGAL {
@@ -60,7 +60,7 @@ inline bool keeps_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, con
     ++curve_edges;
     if (u != b) other = u;
   };
-  mesh.for_each_in_fan(mesh.first(a), [&](Index k) {
+  mesh.for_each_around(a, [&](Index k) {
     count(mesh.target(k), mesh.is_on_curve_edge(k));
     last = k;
   });
@@ -71,6 +71,24 @@ inline bool keeps_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, con
          squared_distance_to_segment(mesh.position(a), from, to) <= limits.squared_deviation;
 }
 
+// Whether no new edge at h's target is too long. The neighbors of a free source other than the target and the two
+// apexes, which the target has already, are met from the far side: there most collapses fail.
+inline bool has_short_edges_after_collapse(const Remeshing_mesh& mesh, Remeshing_mesh::Index h,
+                                           const Collapse_limits& limits)
+{
+  using Index = Remeshing_mesh::Index;
+  const Index a = mesh.source(h);
+  const Vector3& q = mesh.position(mesh.source(mesh.opposite(h)));
+  const auto is_short = [&](Index k) {
+    return squared_distance(q, mesh.position(mesh.target(k))) <= limits.squared_length;
+  };
+  if (!mesh.is_free(a)) return mesh.all_around(a, is_short);
+  Index k = mesh.rotate_ccw(mesh.rotate_ccw(h));
+  for (int n = mesh.valence(a) - 3; n > 0; --n, k = mesh.rotate_ccw(k))
+    if (!is_short(k)) return false;
+  return true;
+}
+
 // Whether the faces that replace the star of h's source are fit: no edge too long, no face turned, and one of them
 // near the removed point. The last keeps tips and ridges.
 inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Collapse_limits& limits)
@@ -78,12 +96,9 @@ inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h,
   using Index = Remeshing_mesh::Index;
   const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
   const Vector3 p = mesh.position(a), q = mesh.position(b);
-  const bool has_short_edges = mesh.all_in_fan(mesh.first(a), [&](Index k) {
-    return squared_distance(q, mesh.position(mesh.target(k))) <= limits.squared_length;
-  });
-  if (!has_short_edges) return false;
+  if (!has_short_edges_after_collapse(mesh, h, limits)) return false;
   bool is_near = mesh.is_on_curve(a);     // what a curve may lose, keeps_curve() says
-  const bool turns_no_face = mesh.all_in_fan(mesh.first(a), [&](Index k) {
+  const bool turns_no_face = mesh.all_around(a, [&](Index k) {
     const Index c = mesh.target(k), d = mesh.apex(k);
     if (c == b || d == b) return true;
     const Vector3 &r = mesh.position(c), &s = mesh.position(d);
@@ -139,7 +154,7 @@ std::size_t collapse_pass(Context& context, std::vector<Remeshing_mesh::Index>& 
       mesh.collapse(k);
       context.visitor.after_collapse(Mesh_vertex(kept), mesh);
       ++collapses;
-      mesh.for_each_in_fan(mesh.first(kept), [&](Index e) {
+      mesh.for_each_around(kept, [&](Index e) {
         if (mesh.squared_edge_length(e) < shortness) short_edges.push_back(e);
       });
     });

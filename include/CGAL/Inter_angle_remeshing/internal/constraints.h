@@ -54,7 +54,7 @@ inline void lock_corners(Remeshing_mesh& mesh)
     if (!mesh.is_on_curve(v)) continue;
     std::vector<Vector3> directions;
     Index last = -1;
-    mesh.for_each_in_fan(mesh.first(v), [&](Index h) {
+    mesh.for_each_around(v, [&](Index h) {
       if (mesh.is_on_curve_edge(h)) directions.push_back(mesh.position(mesh.target(h)) - mesh.position(v));
       last = h;
     });

@@ -28,8 +28,8 @@ std::vector<Remeshing_mesh::Index> edges_out_of(const Remeshing_mesh& mesh, doub
     const Vector3 &a = mesh.position(mesh.origin(h)), &b = mesh.position(mesh.origin(h + 1)),
                   &c = mesh.position(mesh.origin(h + 2));
     const double length[3] = {squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)};
-    if (length[0] >= low && length[0] <= high && length[1] >= low && length[1] <= high &&
-        length[2] >= low && length[2] <= high) return;
+    if ((std::min)((std::min)(length[0], length[1]), length[2]) >= low &&
+        (std::max)((std::max)(length[0], length[1]), length[2]) <= high) return;
     for (int k = 0; k < 3; ++k)
       if ((length[k] < low || length[k] > high) && (mesh.is_border(h + k) || mesh.opposite(h + k) > h + k))
         out.push_back(h + k);

@@ -123,7 +123,6 @@ private:
   void number_vertices()
   {
     Remeshing_mesh& mesh = copy_.mesh;
-    Descriptor_index<vertex_descriptor> number(copy_.faces.size() + 3);
     mesh.reserve_vertices(copy_.faces.size() / 2 + copy_.faces.size() / 16 + 8);
     for (Index h = 0; h < Index(4 * copy_.faces.size()); ++h) {
       if (mesh.corner(h) == 3 || mesh.origin(h) >= 0) continue;
@@ -134,11 +133,32 @@ private:
       mesh.set_input(v, v);
       number_fan(h, v);
       mesh.position(v) = read_point(user_vertex);
-      const auto [known, is_new] = number.insert(user_vertex, v);
-      if (!is_new) {
-        mesh.add_marks(v, Remeshing_mesh::PINCHED);
-        mesh.add_marks(known, Remeshing_mesh::PINCHED);
-      }
+    }
+    mark_pinched();
+  }
+
+  // A vertex knows one of its half-edges, which lies in one of its fans: only a fan that lacks it can have company.
+  void mark_pinched()
+  {
+    if (lonely_fans_.empty()) return;
+    Remeshing_mesh& mesh = copy_.mesh;
+    Descriptor_index<vertex_descriptor> fan_of(lonely_fans_.size());
+    const auto mark_both = [&](Index v, Index w) {
+      mesh.add_marks(v, Remeshing_mesh::PINCHED);
+      mesh.add_marks(w, Remeshing_mesh::PINCHED);
+    };
+    std::vector<char> is_lonely(copy_.vertices.size(), 0);
+    for (const Index v : lonely_fans_) {
+      is_lonely[v] = 1;
+      const auto [known, is_new] = fan_of.insert(copy_.vertices[v], v);
+      if (!is_new) mark_both(v, known);
+      // There is one more fan, which the range lacks, unless faces outside lie between.
+      if (!(mesh.marks(v) & Remeshing_mesh::NEXT_TO_OUTSIDE)) mesh.add_marks(v, Remeshing_mesh::PINCHED);
+    }
+    for (Index v = 0; v < Index(copy_.vertices.size()); ++v) {
+      if (is_lonely[v]) continue;
+      const Index other = fan_of.find(copy_.vertices[v]);
+      if (other >= 0) mark_both(v, other);
     }
   }
 
@@ -161,9 +181,7 @@ private:
     mesh.set_first(v, first);
     mesh.set_valence(v, faces + (is_border ? 1 : 0));
     if (is_border) mark_border(v, first);
-    // The vertex is known by a half-edge that this fan does not have: there is one more fan, which the range lacks.
-    if (!has_known && !(mesh.marks(v) & Remeshing_mesh::NEXT_TO_OUTSIDE))
-      mesh.add_marks(v, Remeshing_mesh::PINCHED);
+    if (!has_known) lonely_fans_.push_back(v);
   }
 
   void mark_border(Index v, Index first)
@@ -218,6 +236,7 @@ private:
   VertexPointMap vpm_;
   const char* caller_;
   Flat_copy<TriangleMesh> copy_;
+  std::vector<Index> lonely_fans_;     // without the half-edge by which the mesh knows their vertex
 };
 
 } // namespace internal

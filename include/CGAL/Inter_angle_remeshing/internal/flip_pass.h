@@ -75,9 +75,9 @@ inline void find_paying_flips(const Remeshing_mesh& mesh, Remeshing_mesh::Index 
   const int deviation = mesh.deviation(v);
   const auto pays = [&](Index h) { return !mesh.is_border(h) && flip_gain(mesh, h) < 0; };
   if (deviation >= 1)
-    mesh.for_each_in_fan(mesh.first(v), [&](Index h) { if (pays(h)) found.push_back(h); });
+    mesh.for_each_around(v, [&](Index h) { if (pays(h)) found.push_back(h); });
   else if (deviation <= -2)
-    mesh.for_each_in_fan(mesh.first(v), [&](Index h) {
+    mesh.for_each_around(v, [&](Index h) {
       const Index e = mesh.next(h);
       if (mesh.deviation(mesh.origin(e)) <= 0 && mesh.deviation(mesh.target(e)) <= 0 && pays(e)) found.push_back(e);
     });

@@ -109,7 +109,7 @@ std::size_t glide_pass(Context& context)
   std::vector<Index> candidates;
   scan_into<ConcurrencyTag>(candidates, mesh.number_of_vertex_slots(), [&](std::size_t v, std::vector<Index>& found) {
     if (!mesh.is_vertex(Index(v)) || mesh.deviation(Index(v)) < 1) return;
-    mesh.for_each_in_fan(mesh.first(Index(v)), [&](Index h) {
+    mesh.for_each_around(Index(v), [&](Index h) {
       if (!is_dislocation(mesh, h)) return;
       Glide glide;
       if (find_glide(mesh, h, h, recipe, glide) || find_glide(mesh, h, mesh.opposite(h), recipe, glide))

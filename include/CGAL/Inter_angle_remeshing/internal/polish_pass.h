@@ -101,7 +101,7 @@ private:
   double energy(Index v, const Vector3& p) const
   {
     double sum = 0;
-    mesh_.for_each_in_fan(mesh_.first(v), [&](Index h) {
+    mesh_.for_each_around(v, [&](Index h) {
       sum += band_.energy(p, mesh_.position(mesh_.target(h)), mesh_.position(mesh_.apex(h)));
     });
     return sum;
@@ -112,7 +112,7 @@ private:
   {
     const Vector3 p = mesh_.position(v);
     Vector3 sum;
-    mesh_.for_each_in_fan(mesh_.first(v), [&](Index h) {
+    mesh_.for_each_around(v, [&](Index h) {
       sum += triangle_cross(p, mesh_.position(mesh_.target(h)), mesh_.position(mesh_.apex(h)));
     });
     const double l = internal::length(sum);

@@ -27,19 +27,19 @@ namespace internal {
 constexpr double RHO_FIXED = 0.6, RHO_FREE = 0.85;
 // Stars less flat than this take guarded steps.
 constexpr double RHO_GUARDED = 0.9;
-// Sweeps for which normals and dampings hold.
-constexpr unsigned SWEEPS_A_REFRESH = 4;
+// Sweeps for which normals hold; dampings hold for a pass.
+constexpr unsigned SWEEPS_A_NORMAL = 4;
 // Smallest cosine between the normals of a face before and after a step: 60 degrees.
 constexpr double STEP_NORMAL_COSINE = 0.5;
 // A step that turns a face too far is tried again by half and by a quarter.
 constexpr int STEP_TRIALS = 3;
-// A tangential step that is shorter than half the altitude of the star's smallest face, over a link edge of the
-// length that it has in an equilateral triangle of the star's mean area, turns no face. In terms of the faces' cross
-// products c, the square of that is 1/4 |c_min|² / (2/√3 mean |c|).
-constexpr double SAFE_STEP_FACTOR = 0.25 * 0.8660254037844386;
+// A tangential step that is shorter than this fraction of the altitude of the star's smallest face, over a link edge
+// of the length that it has in an equilateral triangle of the star's mean area, turns no face. In terms of the faces'
+// cross products c, the square of the altitude is |c_min|² / (2/√3 mean |c|).
+constexpr double SAFE_STEP = 0.75;
 
 // When vertices are pulled back onto the surface; guarded steps always are.
-enum class Pull_back { never, after_last_sweep, after_each_sweep };
+enum class Pull_back { never, after_last_sweep };
 
 // Whether a face with the cross product `after` looks more along the normal than one with `before`.
 inline bool turns_towards(const Vector3& before, const Vector3& after, const Vector3& normal)
@@ -62,19 +62,20 @@ public:
 private:
   using Mobility = Sweep_data::Mobility;
 
-  // The star of a vertex: the sum of its faces' cross products, the sum of their lengths and the smallest one, and
-  // the step to the centre.
+  // The star of a vertex: the sum of its faces' cross products, the sum of their squared lengths, the smallest one of
+  // these, and the step to the centre.
   struct Star
   {
     Vector3 cross;
-    double area = 0;
-    double smallest = std::numeric_limits<double>::infinity();
+    double sum_of_squares = 0;
+    double smallest_square = std::numeric_limits<double>::infinity();
     Vector3 to_centre;
   };
 
   Star star(std::size_t i) const;
   template <int VALENCE>
   Star star_of(std::size_t i, int valence) const;
+  double rho(std::size_t i, const Star& star, double length_of_cross) const;
   Vector3 to_centre(std::size_t i) const;
   Vector3 to_weighted_centre(std::size_t i) const;
 
@@ -84,8 +85,9 @@ private:
   }
 
   Vector3 refresh(std::size_t i);
+  Vector3 refresh_normal(std::size_t i);
   template <class Projector>
-  void sweep(std::size_t begin, std::size_t end, bool is_refresh, const Projector& projector);
+  void sweep(std::size_t begin, std::size_t end, unsigned number, const Projector& projector);
   bool turns_no_face(std::size_t i, const Vector3& q) const;
   void take_step(std::size_t i, const Vector3& step);
   template <class Projector>
@@ -112,10 +114,10 @@ Relaxation::Star Relaxation::star_of(std::size_t i, int valence) const
   for (int k = 0; k < n; ++k) {
     const Vector3 current = data_.position[ring[k]] - p;
     const Vector3 c = cross(previous, current);
-    const double doubled_area = length(c);
+    const double square = squared_length(c);
     result.cross += c;
-    result.area += doubled_area;
-    result.smallest = (std::min)(result.smallest, doubled_area);
+    result.sum_of_squares += square;
+    result.smallest_square = (std::min)(result.smallest_square, square);
     sum += current;
     previous = current;
   }
@@ -181,21 +183,55 @@ inline Vector3 Relaxation::refresh(std::size_t i)
     step_factor_[i] = safe_step_[i] = 0;
     return {};
   }
-  const double rho = l / s.area;
+  const double flatness = rho(i, s, l);
   normal_[i] = (1 / l) * s.cross;
-  step_factor_[i] = recipe_.relaxation * damping(rho);
-  if (rho < RHO_GUARDED || data_.mobility[i] == Mobility::guarded) step_factor_[i] = -step_factor_[i];
-  safe_step_[i] = SAFE_STEP_FACTOR * data_.valence(i) * s.smallest * s.smallest / s.area;
+  step_factor_[i] = recipe_.relaxation * damping(flatness);
+  if (flatness < RHO_GUARDED || data_.mobility[i] == Mobility::guarded) step_factor_[i] = -step_factor_[i];
+  safe_step_[i] = SAFE_STEP * SAFE_STEP * (std::sqrt(3.) / 2) * data_.valence(i) * s.smallest_square * flatness / l;
   return s.to_centre;
 }
 
-template <class Projector>
-void Relaxation::sweep(std::size_t begin, std::size_t end, bool is_refresh, const Projector& projector)
+// ρ, or a lower bound of it that says enough: Σ |c| ≤ √(n Σ c²), with one root for all the faces.
+inline double Relaxation::rho(std::size_t i, const Star& star, double length_of_cross) const
 {
+  const int n = data_.valence(i);
+  const double bound = length_of_cross / std::sqrt(n * star.sum_of_squares);
+  if (bound >= RHO_GUARDED) return bound;
+  const Index* ring = data_.ring(i);
+  double sum = 0;
+  for (int k = 0; k < n; ++k)
+    sum += length(triangle_cross(data_.position[i], data_.position[ring[k]], data_.position[ring[(k + 1) % n]]));
+  return length_of_cross / sum;
+}
+
+// Takes the normal of vertex i alone from its star as it is; returns the step to the centre. In a hexagon the sum of
+// the six cross products is that of three, over every other neighbor.
+inline Vector3 Relaxation::refresh_normal(std::size_t i)
+{
+  const int n = data_.valence(i);
+  const Index* r = data_.ring(i);
+  const std::vector<Vector3>& x = data_.position;
+  const Vector3 p = x[i];
+  Vector3 sum;
+  if (n == 6)
+    sum = cross(x[r[0]] - p, x[r[1]] - x[r[5]]) + cross(x[r[2]] - p, x[r[3]] - x[r[1]]) +
+          cross(x[r[4]] - p, x[r[5]] - x[r[3]]);
+  else
+    for (int k = 0; k < n; ++k) sum += cross(x[r[k]] - p, x[r[(k + 1) % n]] - p);
+  const double l = length(sum);
+  normal_[i] = l > 0 ? (1 / l) * sum : Vector3();
+  return to_centre(i);
+}
+
+template <class Projector>
+void Relaxation::sweep(std::size_t begin, std::size_t end, unsigned number, const Projector& projector)
+{
+  const bool is_first = number == 0, takes_normals = number % SWEEPS_A_NORMAL == 0;
   for (std::size_t i = begin; i < end; ++i) {
     if (data_.mobility[i] == Mobility::fixed) continue;
-    const Vector3 to_centre = is_refresh || std::signbit(step_factor_[i]) ? refresh(i) : this->to_centre(i);
-    const Vector3 tangential = to_centre - dot(to_centre, normal_[i]) * normal_[i];
+    const Vector3 step = is_first || std::signbit(step_factor_[i]) ? refresh(i)
+                         : takes_normals ? refresh_normal(i) : to_centre(i);
+    const Vector3 tangential = step - dot(step, normal_[i]) * normal_[i];
     if (std::signbit(step_factor_[i])) take_guarded_step(i, -step_factor_[i] * tangential, projector);
     else take_step(i, step_factor_[i] * tangential);
   }
@@ -245,7 +281,8 @@ void Relaxation::take_guarded_step(std::size_t i, const Vector3& step, const Pro
   }
 }
 
-// A vertex whose projection would turn a face, or lead onto another sheet, stays where it is until the next time.
+// A vertex whose projection would turn a face goes a part of the way, and the rest as its neighbors make room. One
+// whose projection would lead onto another sheet stays where it is until the next time.
 template <class ConcurrencyTag, class Projector>
 void Relaxation::project_all(const Projector& projector)
 {
@@ -254,10 +291,9 @@ void Relaxation::project_all(const Projector& projector)
       if (data_.mobility[i] == Mobility::fixed) continue;
       Index hint = data_.hint[i];
       const Vector3 q = projector(data_.position[i], hint);
-      if (!projector.is_compatible(hint, normal_[i]) ||
-          !(squared_distance(q, data_.position[i]) <= safe_step_[i] || turns_no_face(i, q))) continue;
-      data_.position[i] = q;
+      if (!projector.is_compatible(hint, normal_[i])) continue;
       data_.hint[i] = hint;
+      take_step(i, q - data_.position[i]);
     }
   });
 }
@@ -275,9 +311,8 @@ std::size_t Relaxation::run(Remeshing_mesh& mesh, const Projector& projector, un
       if (data_.mobility[i] != Mobility::fixed) refresh(i);
   for (unsigned s = 0; s < sweeps; ++s) {
     data_.for_each_coloured_block<Tag>([&](std::size_t begin, std::size_t end) {
-      sweep(begin, end, s % SWEEPS_A_REFRESH == 0, projector);
+      sweep(begin, end, s, projector);
     });
-    if (pull_back == Pull_back::after_each_sweep && s + 1 < sweeps) project_all<Tag>(projector);
   }
   if (pull_back != Pull_back::never) project_all<Tag>(projector);
   data_.write(mesh);

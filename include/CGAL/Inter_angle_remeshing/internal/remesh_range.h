@@ -54,6 +54,12 @@ struct Remeshing_parameters
 
 inline void check_recipe(const Recipe& recipe)
 {
+  if (!(recipe.split_ratio > 1 && recipe.split_ratio <= 2))
+    refuse(REMESHING, "Recipe::split_ratio is " + std::to_string(recipe.split_ratio) + "; it must lie in (1, 2]");
+  if (!(recipe.collapse_ratio >= 0 && recipe.collapse_ratio < 1 &&
+        1.2 * recipe.collapse_ratio <= recipe.split_ratio))
+    refuse(REMESHING, "Recipe::collapse_ratio is " + std::to_string(recipe.collapse_ratio) +
+                      "; it must lie in [0, 1) and be at most split_ratio / 1.2");
   if (!(recipe.relaxation > 0 && recipe.relaxation <= 1.6))
     refuse(REMESHING, "Recipe::relaxation is " + std::to_string(recipe.relaxation) + "; it must lie in (0, 1.6]");
   if (recipe.glide_depth > MAXIMUM_GLIDE_DEPTH)
@@ -105,7 +111,7 @@ inline void find_hints(Remeshing_mesh& mesh, const Surface_projection& projectio
   std::vector<Index> queue;
   const auto search = [&](Index v) {
     Vector3 normal;
-    mesh.for_each_in_fan(mesh.first(v), [&](Index h) {
+    mesh.for_each_around(v, [&](Index h) {
       normal += triangle_cross(mesh.position(v), mesh.position(mesh.target(h)), mesh.position(mesh.apex(h)));
     });
     projection.surface.locate(projection.factor * mesh.position(v), mesh.hint(v), normal);

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-// Splits edges longer than 4/3 of the target length at their midpoints (Zheng and Lv, edge splitting).
+// Splits edges that are longer than about 4/3 of the target length at their midpoints (Zheng and Lv, edge splitting).
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -28,7 +28,7 @@ constexpr std::size_t PROJECTION_BLOCK = 256;
 // Whether the faces around v keep their orientation when v moves to p: no normal turns by more than 60 degrees.
 inline bool keeps_orientation(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, const Vector3& p)
 {
-  return mesh.all_in_fan(mesh.first(v), [&](Remeshing_mesh::Index h) {
+  return mesh.all_around(v, [&](Remeshing_mesh::Index h) {
     const Vector3 &a = mesh.position(mesh.target(h)), &b = mesh.position(mesh.apex(h)), &q = mesh.position(v);
     return is_cosine_at_least(triangle_cross(q, a, b), triangle_cross(p, a, b), 0.5);
   });
@@ -86,7 +86,7 @@ std::size_t split_pass(Context& context, std::vector<Remeshing_mesh::Index>& lon
       const Index v = mesh.split(h, midpoint(h));
       context.visitor.after_split(Mesh_vertex(v), mesh);
       split.push_back({v, far_hint});
-      mesh.for_each_in_fan(mesh.first(v), [&](Index k) {
+      mesh.for_each_around(v, [&](Index k) {
         if (mesh.squared_edge_length(k) < shortness) short_edges.push_back(k);
       });
     });
