@@ -18,8 +18,10 @@
 #include <boost/iterator/transform_iterator.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <ostream>
 #include <type_traits>
 #include <utility>
@@ -56,13 +58,35 @@ private:
 
 struct Vertex_tag {};
 struct Halfedge_tag {};
-struct Edge_tag {};
 struct Face_tag {};
 
 using Mesh_vertex = Mesh_descriptor<Vertex_tag>;
 using Mesh_halfedge = Mesh_descriptor<Halfedge_tag>;   // a corner, or a border side (negative)
-using Mesh_edge = Mesh_descriptor<Edge_tag>;           // the greater one of its half-edges
 using Mesh_face = Mesh_descriptor<Face_tag>;
+
+// The edge of a half-edge, which it remembers: halfedge(edge(h)) is h, as in CGAL's own meshes. Its name, and what is
+// compared, is the greater one of its two half-edges, always a corner.
+class Mesh_edge
+{
+public:
+  using Index = Corner_table::Index;
+
+  Mesh_edge() = default;
+  Mesh_edge(Mesh_halfedge h, Mesh_halfedge opposite) : halfedge_(h), name_((std::max)(h.index(), opposite.index())) {}
+
+  Mesh_halfedge halfedge() const { return halfedge_; }
+  Index index() const { return name_; }
+
+  friend bool operator==(const Mesh_edge& a, const Mesh_edge& b) { return a.name_ == b.name_; }
+  friend bool operator!=(const Mesh_edge& a, const Mesh_edge& b) { return a.name_ != b.name_; }
+  friend bool operator<(const Mesh_edge& a, const Mesh_edge& b) { return a.name_ < b.name_; }
+  friend std::size_t hash_value(const Mesh_edge& e) { return std::hash<Index>()(e.name_); }
+  friend std::ostream& operator<<(std::ostream& out, const Mesh_edge& e) { return out << e.name_; }
+
+private:
+  Mesh_halfedge halfedge_;
+  Index name_ = Mesh_vertex::NONE;
+};
 
 // --- HalfedgeGraph ----------------------------------------------------------------------------------------------
 
@@ -90,11 +114,11 @@ inline Mesh_halfedge next(Mesh_halfedge h, const Remeshing_mesh& m)
 
 inline Mesh_edge edge(Mesh_halfedge h, const Remeshing_mesh& m)
 {
-  return Mesh_edge((std::max)(h.index(), m.opposite(h.index())));
+  return {h, opposite(h, m)};
 }
-inline Mesh_halfedge halfedge(Mesh_edge e, const Remeshing_mesh&) { return Mesh_halfedge(e.index()); }
-inline Mesh_vertex source(Mesh_edge e, const Remeshing_mesh& m) { return source(halfedge(e, m), m); }
-inline Mesh_vertex target(Mesh_edge e, const Remeshing_mesh& m) { return target(halfedge(e, m), m); }
+inline Mesh_halfedge halfedge(const Mesh_edge& e, const Remeshing_mesh&) { return e.halfedge(); }
+inline Mesh_vertex source(const Mesh_edge& e, const Remeshing_mesh& m) { return source(halfedge(e, m), m); }
+inline Mesh_vertex target(const Mesh_edge& e, const Remeshing_mesh& m) { return target(halfedge(e, m), m); }
 
 // The half-edge that comes in at the start of the fan: on the border where the vertex is.
 inline Mesh_halfedge halfedge(Mesh_vertex v, const Remeshing_mesh& m)
@@ -164,6 +188,13 @@ struct As_descriptor
   using result_type = Descriptor;
   Descriptor operator()(Corner_table::Index i) const { return Descriptor(i); }
 };
+template <>
+struct As_descriptor<Mesh_edge>
+{
+  using result_type = Mesh_edge;
+  const Remeshing_mesh* mesh = nullptr;
+  Mesh_edge operator()(Corner_table::Index h) const { return edge(Mesh_halfedge(h), *mesh); }
+};
 
 template <class Descriptor, class Predicate>
 using Mesh_iterator = boost::transform_iterator<
@@ -176,8 +207,10 @@ Iterator_range<Mesh_iterator<Descriptor, Predicate>> mesh_range(const Remeshing_
   using Counter = boost::counting_iterator<Corner_table::Index>;
   const Counter begin{Corner_table::Index(first)}, end{Corner_table::Index(past)};
   using Filter = boost::filter_iterator<Predicate, Counter>;
-  return make_range(Mesh_iterator<Descriptor, Predicate>(Filter(Predicate{&m}, begin, end)),
-                    Mesh_iterator<Descriptor, Predicate>(Filter(Predicate{&m}, end, end)));
+  As_descriptor<Descriptor> as_descriptor{};
+  if constexpr (std::is_same<Descriptor, Mesh_edge>::value) as_descriptor.mesh = &m;
+  return make_range(Mesh_iterator<Descriptor, Predicate>(Filter(Predicate{&m}, begin, end), as_descriptor),
+                    Mesh_iterator<Descriptor, Predicate>(Filter(Predicate{&m}, end, end), as_descriptor));
 }
 
 using Mesh_vertex_iterator = Mesh_iterator<Mesh_vertex, Is_live_vertex>;
@@ -334,6 +367,11 @@ struct hash<CGAL::Inter_angle_remeshing::internal::Mesh_descriptor<Tag>>
   {
     return hash_value(d);
   }
+};
+template <>
+struct hash<CGAL::Inter_angle_remeshing::internal::Mesh_edge>
+{
+  std::size_t operator()(const CGAL::Inter_angle_remeshing::internal::Mesh_edge& e) const { return hash_value(e); }
 };
 } // namespace std
 
