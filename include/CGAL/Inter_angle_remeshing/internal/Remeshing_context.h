@@ -61,6 +61,14 @@ struct Remeshing_context
   double squared_length_limit() const { return squared(recipe.split_ratio * target_length); }
   double squared_shortness_limit() const { return squared(recipe.collapse_ratio * target_length); }
 
+  // Whether a face with these corners turns its back on the surface at one of them: a fold, or soon to be one.
+  bool is_turned_over(Index a, Index b, Index c) const
+  {
+    const Vector3 normal = triangle_cross(mesh.position(a), mesh.position(b), mesh.position(c));
+    return projector.is_opposite(mesh.hint(a), normal) || projector.is_opposite(mesh.hint(b), normal) ||
+           projector.is_opposite(mesh.hint(c), normal);
+  }
+
   bool permits_split(Index h) const { return permits(split_policy, h, false); }
   bool permits_collapse(Index h) const { return permits(collapse_policy, h, false); }
   bool permits_flip(Index h, bool is_transient) const { return permits(flip_policy, h, is_transient); }

@@ -109,6 +109,18 @@ inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h,
   return turns_no_face && is_near;
 }
 
+// Whether none of the faces that replace the star of h's source turns its back on the surface.
+template <class Context>
+bool leaves_no_fold(const Context& context, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh& mesh = context.mesh;
+  const Remeshing_mesh::Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
+  return mesh.all_around(a, [&](Remeshing_mesh::Index k) {
+    const Remeshing_mesh::Index c = mesh.target(k), d = mesh.apex(k);
+    return c == b || d == b || !context.is_turned_over(b, c, d);
+  });
+}
+
 // The half-edge whose source is to be merged into its target, for the edge of h; NO_COLLAPSE where neither may be.
 constexpr Remeshing_mesh::Index NO_COLLAPSE = (std::numeric_limits<Remeshing_mesh::Index>::min)();
 
@@ -124,7 +136,8 @@ Remeshing_mesh::Index choose_collapse(const Context& context, Remeshing_mesh::In
   for (const Index k : {first, second}) {
     const bool is_along_curve = mesh.is_on_curve(mesh.source(k));
     if (is_along_curve && !(context.may_collapse_constraints && keeps_curve(mesh, k, limits))) continue;
-    if (is_collapse_fit(mesh, k, limits) && mesh.is_collapse_legal(k) && context.permits_collapse(k)) return k;
+    if (is_collapse_fit(mesh, k, limits) && mesh.is_collapse_legal(k) && leaves_no_fold(context, k) &&
+        context.permits_collapse(k)) return k;
   }
   return NO_COLLAPSE;
 }

@@ -54,7 +54,11 @@ inline bool is_flip_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 template <class Context>
 bool is_flip_allowed(const Context& context, Remeshing_mesh::Index h, bool is_transient)
 {
-  return context.mesh.is_flip_legal(h) && is_flip_fit(context.mesh, h) && context.permits_flip(h, is_transient);
+  const Remeshing_mesh& mesh = context.mesh;
+  if (!mesh.is_flip_legal(h) || !is_flip_fit(mesh, h)) return false;
+  const Remeshing_mesh::Index o = mesh.opposite(h), c = mesh.apex(h), d = mesh.apex(o);
+  return !context.is_turned_over(mesh.origin(h), d, c) && !context.is_turned_over(mesh.origin(o), c, d) &&
+         context.permits_flip(h, is_transient);
 }
 
 template <class Context>

@@ -37,6 +37,14 @@ struct Surface_projection
   {
     return dot(surface.cross_product(hint), normal) > 0;
   }
+  // Whether it looks to the other side: the normals make more than OPPOSITE degrees. Well over a right angle, which
+  // faces beside a sharp edge make with the surface beyond it.
+  bool is_opposite(Corner_table::Index hint, const Vector3& normal) const
+  {
+    return is_cosine_at_least(surface.cross_product(hint), -1. * normal, OPPOSITE_COSINE);
+  }
+
+  static constexpr double OPPOSITE_COSINE = 0.5;
 };
 
 struct No_projection
@@ -45,6 +53,7 @@ struct No_projection
 
   Vector3 operator()(const Vector3& q, Corner_table::Index&) const { return q; }
   bool is_compatible(Corner_table::Index, const Vector3&) const { return true; }
+  bool is_opposite(Corner_table::Index, const Vector3&) const { return false; }
 };
 
 // What a functor of the user's returned; the run ends where that is no point.
@@ -74,6 +83,7 @@ struct Point_functor_projection
     return (1 / unit) * to_finite_vector(r);
   }
   bool is_compatible(Corner_table::Index, const Vector3&) const { return true; }
+  bool is_opposite(Corner_table::Index, const Vector3&) const { return false; }
 };
 
 // By a functor of the user's that takes a vertex and reads its point. One vertex of the range carries the points of
@@ -101,6 +111,7 @@ public:
     return (1 / unit_) * to_finite_vector(r);
   }
   bool is_compatible(Corner_table::Index, const Vector3&) const { return true; }
+  bool is_opposite(Corner_table::Index, const Vector3&) const { return false; }
 
 private:
   const Functor& functor_;

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef INTER_ANGLE_REMESHING_BENCHMARK_MESHES_H
+#define INTER_ANGLE_REMESHING_BENCHMARK_MESHES_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <stdexcept>
+#include <string>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+inline Mesh read_mesh(const std::string& path)
+{
+  Mesh mesh;
+  if (!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(path, mesh) || !CGAL::is_triangle_mesh(mesh))
+    throw std::runtime_error(path + " is not a triangle mesh");
+  return mesh;
+}
+
+inline double mean_edge_length(const Mesh& mesh)
+{
+  double sum = 0;
+  for (const auto e : mesh.edges())
+    sum += CGAL::Polygon_mesh_processing::edge_length(mesh.halfedge(e), mesh);
+  return sum / double(mesh.number_of_edges());
+}
+
+// The same surface with four triangles for each one: what a remesher gets from a scan of a higher resolution, as far
+// as the shapes of the triangles are concerned.
+inline Mesh subdivide(const Mesh& mesh)
+{
+  Mesh result;
+  result.reserve(mesh.number_of_vertices() + mesh.number_of_edges(), 4 * mesh.number_of_edges(),
+                 4 * mesh.number_of_faces());
+  for (const auto v : mesh.vertices()) result.add_vertex(mesh.point(v));
+  for (const auto e : mesh.edges())
+    result.add_vertex(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  const auto middle = [&](Mesh::Halfedge_index h) {
+    return Mesh::Vertex_index(Mesh::size_type(mesh.number_of_vertices() + std::size_t(mesh.edge(h))));
+  };
+  for (const auto f : mesh.faces()) {
+    const auto h = mesh.halfedge(f), n = mesh.next(h), p = mesh.prev(h);
+    result.add_face(mesh.target(p), middle(h), middle(p));
+    result.add_face(mesh.target(h), middle(n), middle(h));
+    result.add_face(mesh.target(n), middle(p), middle(n));
+    result.add_face(middle(h), middle(n), middle(p));
+  }
+  return result;
+}
+
+#endif // INTER_ANGLE_REMESHING_BENCHMARK_MESHES_H
