@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/*!
+\ingroup PkgInterAngleRemeshingConcepts
+\cgalConcept
+
+The concept `RemeshingVisitor` describes what is told about the passes and operations of
+`CGAL::Inter_angle_remeshing::isotropic_remeshing()`: it is the type of the named parameter `visitor`.
+
+Derive from `CGAL::Inter_angle_remeshing::Default_visitor` and hide the members of interest; a visitor that has a state
+is handed over by `std::ref()`, since named parameters are copied.
+
+The mesh that the members see is the one that the remesher works on, a model of `FaceGraph` and not the user's mesh. Its
+points are `get(CGAL::vertex_point, mesh)`, in the user's units. `Vertex` and `Halfedge` are its descriptors; they hold
+until the next operation, no longer. It must not be changed.
+
+All members are called one at a time, whatever the concurrency tag. An exception ends the run, passes through, and
+leaves the user's mesh as it was.
+
+Passes that mend what the iterations left, after the last of them, are announced by `start_pass()` and `end_pass()` like
+the others, but belong to no iteration.
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Inter_angle_remeshing::Default_visitor}
+\cgalHasModelsEnd
+*/
+class RemeshingVisitor
+{
+public:
+  /// called before iteration `i`, counted from 0.
+  template <class Mesh>
+  void start_iteration(unsigned i, const Mesh& mesh);
+
+  /// called after iteration `i`.
+  template <class Mesh>
+  void end_iteration(unsigned i, const Mesh& mesh);
+
+  /// called before a pass.
+  template <class Mesh>
+  void start_pass(CGAL::Inter_angle_remeshing::Pass pass, const Mesh& mesh);
+
+  /// called after a pass that did `count` operations: edges split, collapsed or flipped, glides, or vertices that were
+  /// asked to move.
+  template <class Mesh>
+  void end_pass(CGAL::Inter_angle_remeshing::Pass pass, const Mesh& mesh, std::size_t count);
+
+  /// called before the edge of `h` is split.
+  template <class Halfedge, class Mesh>
+  void before_split(Halfedge h, const Mesh& mesh);
+
+  /// called after a split; `v` is the new vertex, still at the midpoint of the edge. It is pulled back onto the surface
+  /// at the end of the pass.
+  template <class Vertex, class Mesh>
+  void after_split(Vertex v, const Mesh& mesh);
+
+  /// called before the source of `h` is merged into its target.
+  template <class Halfedge, class Mesh>
+  void before_collapse(Halfedge h, const Mesh& mesh);
+
+  /// called after a collapse; `v` is the vertex that was kept.
+  template <class Vertex, class Mesh>
+  void after_collapse(Vertex v, const Mesh& mesh);
+
+  /// called before the edge of `h` is flipped, by the flip pass or in a glide. A glide that turns out to be impossible
+  /// half-way is undone by flips that are announced, too.
+  template <class Halfedge, class Mesh>
+  void before_flip(Halfedge h, const Mesh& mesh);
+
+  /// called after a flip; `h` is a half-edge of the new edge.
+  template <class Halfedge, class Mesh>
+  void after_flip(Halfedge h, const Mesh& mesh);
+
+  /// called for each vertex that is free to move, before a pass of relaxation.
+  template <class Vertex, class Mesh>
+  void before_move(Vertex v, const Mesh& mesh);
+
+  /// called for each of these vertices after the pass, whether it has moved or not.
+  template <class Vertex, class Mesh>
+  void after_move(Vertex v, const Mesh& mesh);
+};
