@@ -281,10 +281,11 @@ double Edge_profile<TM, VPM, ECM, IVM>::dihedral_cosine() const
 {
   if (is_border()) return 1;
   const Vector3 s = position(source()), t = position(target());
-  const Vector3 left = internal::triangle_cross(s, t, position(left_vertex()));
-  const Vector3 right = internal::triangle_cross(t, s, position(right_vertex()));
-  const double product = internal::squared_length(left) * internal::squared_length(right);
-  return product > 0 ? internal::dot(left, right) / std::sqrt(product) : -1.;
+  // Of unit edges, so that no product overflows, whatever the user's unit is.
+  const Vector3 edge = internal::unit(t - s);
+  const Vector3 left = internal::unit(internal::cross(edge, internal::unit(position(left_vertex()) - s)));
+  const Vector3 right = internal::unit(internal::cross(internal::unit(position(right_vertex()) - s), edge));
+  return left == Vector3() || right == Vector3() ? -1. : internal::dot(left, right);
 }
 #endif
 

@@ -144,7 +144,7 @@ private:
   {
     if (is_never(context_.flip_policy)) return;
     run_pass(Pass::flip, report_.flips, [&]() { return flip_pass<ConcurrencyTag>(context_); });
-    if (recipe_.glide_depth > 0 && (report_.iterations >= FIRST_GLIDES || is_late()))
+    if (goes_on() && recipe_.glide_depth > 0 && (report_.iterations >= FIRST_GLIDES || is_late()))
       run_pass(Pass::glide, report_.glides, [&]() { return glide_pass<ConcurrencyTag>(context_); });
   }
 

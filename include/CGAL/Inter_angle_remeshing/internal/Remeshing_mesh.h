@@ -306,6 +306,7 @@ inline bool Remeshing_mesh::is_collapse_legal(Index h) const
   const Index side = h >= 0 ? h : g;                         // a half-edge of the edge that has a face
   if (is_locked(a) || is_protected(side)) return false;
   if (is_on_curve(a) && !is_on_curve_edge(side)) return false;
+  if (is_border_vertex(a) && valence(a) == 2) return false;  // the tip of an ear: its face would go, and leave a border
   const Index c = h >= 0 ? apex(h) : NO_VERTEX, d = g >= 0 ? apex(g) : NO_VERTEX;
   if (c == d) return false;
   for (const Index v : {c, d})

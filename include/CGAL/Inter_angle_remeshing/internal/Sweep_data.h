@@ -45,6 +45,10 @@ public:
   }
 
   std::size_t size() const { return order.size(); }
+  std::size_t number_of_movable() const
+  {
+    return size() - std::size_t(std::count(mobility.begin(), mobility.end(), Mobility::fixed));
+  }
   const Index* ring(std::size_t i) const { return rings_.data() + ring_start_[i]; }
   int valence(std::size_t i) const { return int(ring_start_[i + 1] - ring_start_[i]); }
 

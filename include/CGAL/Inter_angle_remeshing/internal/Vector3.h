@@ -48,6 +48,13 @@ inline Vector3 triangle_cross(const Vector3& a, const Vector3& b, const Vector3&
   return cross(b - a, c - a);
 }
 
+// u divided by its length; zero where it has none.
+inline Vector3 unit(const Vector3& u)
+{
+  const double l = length(u);
+  return l > 0 ? (1 / l) * u : Vector3();
+}
+
 // Whether the angle between u and v is under 90 degrees and its cosine at least `cosine` (>= 0).
 // Products are compared: no root, and a zero vector fails.
 inline bool is_cosine_at_least(const Vector3& u, const Vector3& v, double cosine)
@@ -61,8 +68,8 @@ inline bool is_cosine_at_least(const Vector3& u, const Vector3& v, double cosine
 inline double corner_cosine(const Vector3& apex, const Vector3& a, const Vector3& b)
 {
   const Vector3 u = a - apex, v = b - apex;
-  const double product = squared_length(u) * squared_length(v);
-  return product > 0 ? dot(u, v) / std::sqrt(product) : 1.;
+  const double product = length(u) * length(v);
+  return product > 0 ? dot(u, v) / product : 1.;
 }
 
 } // namespace internal

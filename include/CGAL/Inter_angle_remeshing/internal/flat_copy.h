@@ -137,26 +137,27 @@ private:
     mark_pinched();
   }
 
-  // A vertex knows one of its half-edges, which lies in one of its fans: only a fan that lacks it can have company.
+  // A vertex knows one of its half-edges, which lies in one of its fans; and the border runs from one fan on into the
+  // next. Only a fan that lacks the one, or does not continue the other, can have company.
   void mark_pinched()
   {
-    if (lonely_fans_.empty()) return;
+    if (doubtful_fans_.empty()) return;
     Remeshing_mesh& mesh = copy_.mesh;
-    Descriptor_index<vertex_descriptor> fan_of(lonely_fans_.size());
+    Descriptor_index<vertex_descriptor> fan_of(doubtful_fans_.size());
     const auto mark_both = [&](Index v, Index w) {
       mesh.add_marks(v, Remeshing_mesh::PINCHED);
       mesh.add_marks(w, Remeshing_mesh::PINCHED);
     };
-    std::vector<char> is_lonely(copy_.vertices.size(), 0);
-    for (const Index v : lonely_fans_) {
-      is_lonely[v] = 1;
+    std::vector<char> is_doubtful(copy_.vertices.size(), 0);
+    for (const Index v : doubtful_fans_) {
+      is_doubtful[v] = 1;
       const auto [known, is_new] = fan_of.insert(copy_.vertices[v], v);
       if (!is_new) mark_both(v, known);
       // There is one more fan, which the range lacks, unless faces outside lie between.
       if (!(mesh.marks(v) & Remeshing_mesh::NEXT_TO_OUTSIDE)) mesh.add_marks(v, Remeshing_mesh::PINCHED);
     }
     for (Index v = 0; v < Index(copy_.vertices.size()); ++v) {
-      if (is_lonely[v]) continue;
+      if (is_doubtful[v]) continue;
       const Index other = fan_of.find(copy_.vertices[v]);
       if (other >= 0) mark_both(v, other);
     }
@@ -181,17 +182,29 @@ private:
     mesh.set_first(v, first);
     mesh.set_valence(v, faces + (is_border ? 1 : 0));
     if (is_border) mark_border(v, first);
-    if (!has_known) lonely_fans_.push_back(v);
+    if (!has_known || (is_border && !continues_its_border(first))) doubtful_fans_.push_back(v);
   }
 
   void mark_border(Index v, Index first)
   {
-    Remeshing_mesh& mesh = copy_.mesh;
-    mesh.add_marks(v, Remeshing_mesh::ON_BORDER);
+    copy_.mesh.add_marks(v, Remeshing_mesh::ON_BORDER);
+    if (has_outside_face(first) || has_outside_face(last_edge(first)))
+      copy_.mesh.add_marks(v, Remeshing_mesh::NEXT_TO_OUTSIDE);
+  }
+
+  // The half-edge into the origin of `first` with which the fan that `first` begins ends.
+  Index last_edge(Index first) const
+  {
     Index last = first;
-    for (Index k = first; k >= 0; k = mesh.rotate_ccw(k)) last = k;
-    if (has_outside_face(first) || has_outside_face(mesh.prev(last)))
-      mesh.add_marks(v, Remeshing_mesh::NEXT_TO_OUTSIDE);
+    for (Index k = first; k >= 0; k = copy_.mesh.rotate_ccw(k)) last = k;
+    return copy_.mesh.prev(last);
+  }
+
+  // Whether the user's half-edge that comes in before the fan is followed by the one that goes out after it. If not,
+  // there is another fan in between, or faces outside.
+  bool continues_its_border(Index first) const
+  {
+    return next(opposite(copy_.halfedge(first), tmesh_), tmesh_) == opposite(copy_.halfedge(last_edge(first)), tmesh_);
   }
 
   bool has_outside_face(Index h) const
@@ -236,7 +249,7 @@ private:
   VertexPointMap vpm_;
   const char* caller_;
   Flat_copy<TriangleMesh> copy_;
-  std::vector<Index> lonely_fans_;     // without the half-edge by which the mesh knows their vertex
+  std::vector<Index> doubtful_fans_;   // of which the user's vertex may have another one
 };
 
 } // namespace internal

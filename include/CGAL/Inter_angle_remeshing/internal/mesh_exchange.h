@@ -70,14 +70,19 @@ public:
     return std::move(copy_.mesh);
   }
 
-  // Replaces the range by the mesh. Everything that may fail for want of memory comes first; if it does, what was
-  // added is taken back, and the exception goes on. `mesh` must have no free slots.
+  // Replaces the range by the mesh. Everything that may fail, for want of memory or in the user's point map, comes
+  // first; if it does, what was done is taken back, and the exception goes on. `mesh` must have no free slots.
   void write(const Remeshing_mesh& mesh)
   {
     plan(mesh);
-    make_room(mesh);
+    try {
+      make_room(mesh);
+      set_points(mesh);
+    } catch (...) {
+      take_back();
+      throw;
+    }
     connect(mesh);
-    set_points(mesh);
     remove_the_rest();
   }
 
@@ -153,6 +158,9 @@ private:
     edges_needed_ = 0;
     for (Index h = 0; h < 4 * Index(mesh.number_of_live_faces()); ++h)
       if (mesh.corner(h) < 3 && names_edge(mesh, h) && !mesh.is_protected(h)) ++edges_needed_;
+    vertices_made_ = 0;
+    old_points_.clear();
+    old_points_.reserve(copy_.vertices.size());
     faces_before_ = copy_.faces.size();
     edges_before_ = spare_edges_.size();
     copy_.faces.reserve(mesh.number_of_live_faces());
@@ -163,18 +171,20 @@ private:
 
   void make_room(const Remeshing_mesh& mesh)
   {
-    std::size_t made = 0;
-    try {
-      for (; made < new_vertices_.size(); ++made) vertex_of_[new_vertices_[made]] = add_vertex(tmesh_);
-      while (copy_.faces.size() < mesh.number_of_live_faces()) copy_.faces.push_back(add_face(tmesh_));
-      while (spare_edges_.size() < edges_needed_) spare_edges_.push_back(halfedge(add_edge(tmesh_), tmesh_));
-    } catch (...) {
-      while (made > 0) remove_vertex(vertex_of_[new_vertices_[--made]], tmesh_);
-      for (; copy_.faces.size() > faces_before_; copy_.faces.pop_back()) remove_face(copy_.faces.back(), tmesh_);
-      for (; spare_edges_.size() > edges_before_; spare_edges_.pop_back())
-        remove_edge(edge(spare_edges_.back(), tmesh_), tmesh_);
-      throw;
-    }
+    for (; vertices_made_ < new_vertices_.size(); ++vertices_made_)
+      vertex_of_[new_vertices_[vertices_made_]] = add_vertex(tmesh_);
+    while (copy_.faces.size() < mesh.number_of_live_faces()) copy_.faces.push_back(add_face(tmesh_));
+    while (spare_edges_.size() < edges_needed_) spare_edges_.push_back(halfedge(add_edge(tmesh_), tmesh_));
+  }
+
+  // Undoes set_points() and make_room().
+  void take_back()
+  {
+    for (const auto& [v, point] : old_points_) put(vpm_, v, point);
+    while (vertices_made_ > 0) remove_vertex(vertex_of_[new_vertices_[--vertices_made_]], tmesh_);
+    for (; copy_.faces.size() > faces_before_; copy_.faces.pop_back()) remove_face(copy_.faces.back(), tmesh_);
+    for (; spare_edges_.size() > edges_before_; spare_edges_.pop_back())
+      remove_edge(edge(spare_edges_.back(), tmesh_), tmesh_);
   }
 
   halfedge_descriptor& halfedge_of(Index h) { return halfedge_of_[3 * (h >> 2) + (h & 3)]; }
@@ -225,16 +235,23 @@ private:
   {
     const unsigned marks = mesh.marks(v);
     if (marks & Remeshing_mesh::PINCHED) return;
-    if ((marks & Remeshing_mesh::NEXT_TO_OUTSIDE) &&
-        CGAL::is_border(halfedge(vertex_of_[v], tmesh_), tmesh_)) return;
+    // One that lies on the border of the mesh, outside of the range, is known by a half-edge of that border.
+    const halfedge_descriptor known = halfedge(vertex_of_[v], tmesh_);
+    if ((marks & Remeshing_mesh::NEXT_TO_OUTSIDE) && target(known, tmesh_) == vertex_of_[v] &&
+        CGAL::is_border(known, tmesh_)) return;
     set_halfedge(vertex_of_[v], opposite(halfedge_of(mesh.first(v)), tmesh_), tmesh_);
   }
 
+  // A vertex that was not moved is not touched: its point may hold more than the flat mesh's coordinates can.
   void set_points(const Remeshing_mesh& mesh)
   {
     for (Index v = 0; v < Index(vertex_of_.size()); ++v) {
+      if (mesh.input(v) >= 0) {
+        const Point_3 old = get(vpm_, vertex_of_[v]);
+        if (mesh.position(v) == (1 / mesh.unit()) * as_vector(old)) continue;
+        old_points_.emplace_back(vertex_of_[v], old);
+      }
       const Vector3 p = mesh.unit() * mesh.position(v);
-      if (mesh.input(v) >= 0 && p == as_vector(get(vpm_, vertex_of_[v]))) continue;
       put(vpm_, vertex_of_[v], Point_3(p.x, p.y, p.z));
     }
   }
@@ -265,8 +282,9 @@ private:
   std::vector<halfedge_descriptor> halfedge_of_;    // by flat corner: 3 f + k
   std::vector<vertex_descriptor> vertex_of_;        // by flat vertex
   std::vector<Index> new_vertices_;
+  std::vector<std::pair<vertex_descriptor, Point_3>> old_points_;   // of the vertices that have got a new one
   std::vector<char> is_kept_;                       // by input vertex
-  std::size_t edges_needed_ = 0, edges_used_ = 0, faces_before_ = 0, edges_before_ = 0;
+  std::size_t vertices_made_ = 0, edges_needed_ = 0, edges_used_ = 0, faces_before_ = 0, edges_before_ = 0;
 };
 
 } // namespace internal

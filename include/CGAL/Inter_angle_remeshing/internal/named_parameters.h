@@ -19,6 +19,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <type_traits>
 
@@ -104,8 +105,9 @@ template <class Count>
 unsigned count_from(const Count& count, const char* name)
 {
   static_assert(std::is_integral<Count>::value, "number_of_iterations, number_of_relaxation_steps: expected an integer.");
-  if (count < Count(0))
-    refuse("isotropic_remeshing()", std::string(name) + " is " + std::to_string(count) + "; it must not be negative");
+  if (count < Count(0) || static_cast<unsigned long long>(count) > (std::numeric_limits<unsigned>::max)())
+    refuse("isotropic_remeshing()", std::string(name) + " is " + std::to_string(count) +
+                                    "; it must be neither negative nor more than an unsigned int holds");
   return static_cast<unsigned>(count);
 }
 

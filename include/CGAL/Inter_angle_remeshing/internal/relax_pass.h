@@ -316,7 +316,7 @@ std::size_t Relaxation::run(Remeshing_mesh& mesh, const Projector& projector, un
   }
   if (pull_back != Pull_back::never) project_all<Tag>(projector);
   data_.write(mesh);
-  return data_.size();
+  return data_.number_of_movable();
 }
 
 } // namespace internal
