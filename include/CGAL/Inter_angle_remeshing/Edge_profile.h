@@ -84,10 +84,13 @@ public:
   /// @param is_transient see `is_transient()`
   /// @param ecm the constrained edges
   /// @param ivm the vertices of the user's mesh
+  /// @param scale the power of two by which coordinates are multiplied before anything is computed from them, so that
+  ///        nothing overflows at extreme units
   Edge_profile(halfedge_descriptor h, const TriangleMesh& tmesh, VertexPointMap vpm,
                double target_length = std::numeric_limits<double>::infinity(), bool is_transient = false,
-               EdgeIsConstrainedMap ecm = EdgeIsConstrainedMap(), InputVertexMap ivm = InputVertexMap())
-    : halfedge_(h), tmesh_(&tmesh), vpm_(vpm), ecm_(ecm), ivm_(ivm), target_length_(target_length),
+               EdgeIsConstrainedMap ecm = EdgeIsConstrainedMap(), InputVertexMap ivm = InputVertexMap(),
+               double scale = 1)
+    : halfedge_(h), tmesh_(&tmesh), vpm_(vpm), ecm_(ecm), ivm_(ivm), target_length_(target_length), scale_(scale),
       is_transient_(is_transient)
   {}
 
@@ -134,7 +137,7 @@ public:
   /// @{
 
   /// the length of the edge, in the user's units
-  double length() const { return internal::length(position(target()) - position(source())); }
+  double length() const { return internal::length(position(target()) - position(source())) / scale_; }
   /// the length that the edge should have, in the user's units; infinite where none is known
   double target_length() const { return target_length_; }
   /// `length()` divided by `target_length()`
@@ -206,7 +209,7 @@ private:
   Vector3 position(vertex_descriptor v) const
   {
     const auto& p = get(vpm_, v);
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+    return {scale_ * CGAL::to_double(p.x()), scale_ * CGAL::to_double(p.y()), scale_ * CGAL::to_double(p.z())};
   }
 
   std::array<double, 4> adjacent_cosines() const;
@@ -235,6 +238,7 @@ private:
   EdgeIsConstrainedMap ecm_;
   InputVertexMap ivm_;
   double target_length_;
+  double scale_;
   bool is_transient_;
 };
 

@@ -83,7 +83,8 @@ private:
   {
     return policy(Run_profile<InputVertex>(Mesh_halfedge(h), mesh, Mesh_point_map{&mesh}, mesh.unit() * target_length,
                                            is_transient, Mesh_edge_is_constrained_map{&mesh},
-                                           Mesh_input_vertex_map<InputVertex>{&mesh, &input_vertices, null_vertex}));
+                                           Mesh_input_vertex_map<InputVertex>{&mesh, &input_vertices, null_vertex},
+                                           1 / mesh.unit()));
   }
 };
 

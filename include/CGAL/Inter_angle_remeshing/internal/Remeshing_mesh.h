@@ -49,13 +49,13 @@ public:
   void resize_vertices(std::size_t n)
   {
     position_.resize(n); first_.resize(n, -1); state_.resize(n);
-    hint_.resize(n, 0); input_.resize(n, NO_VERTEX); block_.resize(n, 0);
+    hint_.resize(n, 0); input_.resize(n, NO_VERTEX); block_.resize(n, 0); curve_error_.resize(n, 0);
   }
 
   void reserve_vertices(std::size_t n)
   {
     position_.reserve(n); first_.reserve(n); state_.reserve(n);
-    hint_.reserve(n); input_.reserve(n); block_.reserve(n);
+    hint_.reserve(n); input_.reserve(n); block_.reserve(n); curve_error_.reserve(n);
   }
 
   // The user's length that is 1 here.
@@ -98,6 +98,10 @@ public:
   bool is_border_vertex(Index v) const { return (state_[v].marks & ON_BORDER) != 0; }
   bool is_on_curve(Index v) const { return (state_[v].marks & (ON_BORDER | ON_FEATURE)) != 0; }
   bool is_locked(Index v) const { return (state_[v].marks & LOCKED) != 0; }
+
+  // A bound of the distance from the input's curve to the curve edges at v.
+  double curve_error(Index v) const { return curve_error_[v]; }
+  void set_curve_error(Index v, double error) { curve_error_[v] = float(error); }
 
   // How far the valence is from that of a regular vertex: 6, or 4 on the border.
   int deviation(Index v) const { return int(state_[v].valence) - int(state_[v].regular_valence); }
@@ -265,6 +269,7 @@ private:
   std::vector<Index> first_;
   std::vector<Vertex_state> state_;
   std::vector<Index> hint_, input_, block_;
+  std::vector<float> curve_error_;
   std::vector<Index> free_faces_, free_vertices_;
   std::vector<std::uint8_t> touched_;
 };
@@ -384,6 +389,7 @@ inline Remeshing_mesh::Index Remeshing_mesh::split(Index h, const Vector3& p)
   hint_[m] = hint_[a];
   input_[m] = NO_VERTEX;
   block_[m] = block_[a];
+  curve_error_[m] = (std::max)(curve_error_[a], curve_error_[b]);
   touch(a); touch(b); touch(c); touch(m);
   return m;
 }
@@ -485,6 +491,7 @@ void Remeshing_mesh::renumber(const std::vector<Index>& order)
       result.hint_[i] = hint_[v];
       result.input_[i] = input_[v];
       result.block_[i] = Index(i >> shift);
+      result.curve_error_[i] = curve_error_[v];
     }
   });
   result.faces_ = std::move(faces);

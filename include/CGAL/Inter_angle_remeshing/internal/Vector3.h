@@ -63,6 +63,15 @@ inline bool is_cosine_at_least(const Vector3& u, const Vector3& v, double cosine
   return d > 0 && d * d >= cosine * cosine * squared_length(u) * squared_length(v);
 }
 
+// Whether the triangle abc with this cross product is too thin for its normal to mean anything in double precision.
+inline bool is_degenerate(const Vector3& cross_product, const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  constexpr double THINNEST = 1e-8;    // altitude over longest edge
+  double longest = squared_distance(a, b);
+  for (const double l : {squared_distance(b, c), squared_distance(c, a)}) longest = l > longest ? l : longest;
+  return squared_length(cross_product) <= THINNEST * THINNEST * longest * longest;
+}
+
 // The cosine of the angle at `apex` between the directions to `a` and `b`; 1 where one of them has no length,
 // as in a needle whose short side has shrunk to nothing.
 inline double corner_cosine(const Vector3& apex, const Vector3& a, const Vector3& b)

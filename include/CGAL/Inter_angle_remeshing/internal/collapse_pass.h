@@ -10,6 +10,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/evaluate_then_apply.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -26,11 +27,11 @@ struct Collapse_limits
 {
   double squared_length;       // of a new edge
   double squared_tolerance;    // distance from the removed vertex to what replaces its star
-  double squared_deviation;    // distance from a removed curve vertex to the curve's new edge
+  double curve_error;          // distance from the input's curve to the curve afterwards
   int valence;                 // of the merged vertex
 };
 
-// A removed border or feature vertex may lie this far from the curve's new edge, in target lengths.
+// A border or feature curve of the input may lie this far from what becomes of it, in target lengths.
 constexpr double CURVE_TOLERANCE = 0.05;
 // A merged vertex of a higher valence costs more regularity than flips can mend in an iteration.
 constexpr int MAXIMUM_MERGED_VALENCE = 9;
@@ -46,29 +47,54 @@ inline double squared_distance_to_segment(const Vector3& q, const Vector3& a, co
   return squared_distance(q, a + (t / l) * ab);
 }
 
-// Whether the source of h can leave the curve that it lies on: between h's edge and exactly one other, almost on
-// a line with both neighbors.
-inline bool keeps_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Collapse_limits& limits)
+// What merging the source of h into its target does to the curve that both lie on.
+struct Curve_collapse
+{
+  Remeshing_mesh::Index other = Remeshing_mesh::NO_VERTEX;   // the source's other neighbor on the curve
+  double error = std::numeric_limits<double>::infinity();    // bound of the distance from the input's curve afterwards
+};
+
+// The source must lie between h's edge and exactly one other edge of the curve. The error of the edges that it leaves
+// behind is the distance that its removal moves them, and what they had before.
+inline Curve_collapse curve_collapse(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
   using Index = Remeshing_mesh::Index;
   const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
-  Index other = Remeshing_mesh::NO_VERTEX;
+  Curve_collapse result;
   int curve_edges = 0;
   Index last = -1;
   const auto count = [&](Index u, bool is_on_curve) {
     if (!is_on_curve) return;
     ++curve_edges;
-    if (u != b) other = u;
+    if (u != b) result.other = u;
   };
   mesh.for_each_around(a, [&](Index k) {
     count(mesh.target(k), mesh.is_on_curve_edge(k));
     last = k;
   });
   if (mesh.is_border_vertex(a)) count(mesh.apex(last), true);
-  if (curve_edges != 2 || other < 0) return false;
-  const Vector3 &from = mesh.position(b), &to = mesh.position(other);
-  return squared_distance(from, to) <= limits.squared_length &&
-         squared_distance_to_segment(mesh.position(a), from, to) <= limits.squared_deviation;
+  if (curve_edges != 2 || result.other < 0) return Curve_collapse();
+  const double moved = squared_distance_to_segment(mesh.position(a), mesh.position(b), mesh.position(result.other));
+  result.error = mesh.curve_error(a) + std::sqrt(moved);
+  return result;
+}
+
+// Whether the source of h can leave the curve that it lies on.
+inline bool keeps_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Collapse_limits& limits)
+{
+  const Curve_collapse curve = curve_collapse(mesh, h);
+  return curve.error <= limits.curve_error &&
+         squared_distance(mesh.position(mesh.source(mesh.opposite(h))), mesh.position(curve.other)) <=
+           limits.squared_length;
+}
+
+// Notes at both ends of the curve's new edge how far it is from the input's curve.
+inline void note_curve_error(Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh::Index b = mesh.source(mesh.opposite(h));
+  const Curve_collapse curve = curve_collapse(mesh, h);
+  for (const Remeshing_mesh::Index v : {b, curve.other})
+    mesh.set_curve_error(v, (std::max)(mesh.curve_error(v), curve.error));
 }
 
 // Whether no new edge at h's target is too long. The neighbors of a free source other than the target and the two
@@ -97,27 +123,39 @@ inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h,
   const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
   const Vector3 p = mesh.position(a), q = mesh.position(b);
   if (!has_short_edges_after_collapse(mesh, h, limits)) return false;
+  Vector3 star;
+  mesh.for_each_around(a, [&](Index k) {
+    star += triangle_cross(p, mesh.position(mesh.target(k)), mesh.position(mesh.apex(k)));
+  });
   bool is_near = mesh.is_on_curve(a);     // what a curve may lose, keeps_curve() says
   const bool turns_no_face = mesh.all_around(a, [&](Index k) {
     const Index c = mesh.target(k), d = mesh.apex(k);
     if (c == b || d == b) return true;
     const Vector3 &r = mesh.position(c), &s = mesh.position(d);
-    if (!is_cosine_at_least(triangle_cross(p, r, s), triangle_cross(q, r, s), COLLAPSE_NORMAL_COSINE)) return false;
+    const Vector3 before = triangle_cross(p, r, s), after = triangle_cross(q, r, s);
+    const bool is_turned = is_degenerate(before, p, r, s)
+                             ? dot(after, star) < 0      // it had no normal to compare with
+                             : !is_cosine_at_least(before, after, COLLAPSE_NORMAL_COSINE);
+    if (is_turned) return false;
     is_near = is_near || squared_distance(closest_point_on_triangle(p, q, r, s).point, p) <= limits.squared_tolerance;
     return true;
   });
   return turns_no_face && is_near;
 }
 
-// Whether none of the faces that replace the star of h's source turns its back on the surface.
+// Whether one of the faces that replace the star of h's source turns its back on the surface, where none of the star
+// did.
 template <class Context>
-bool leaves_no_fold(const Context& context, Remeshing_mesh::Index h)
+bool makes_fold(const Context& context, Remeshing_mesh::Index h)
 {
   const Remeshing_mesh& mesh = context.mesh;
   const Remeshing_mesh::Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
-  return mesh.all_around(a, [&](Remeshing_mesh::Index k) {
+  const bool is_fold_free = mesh.all_around(a, [&](Remeshing_mesh::Index k) {
     const Remeshing_mesh::Index c = mesh.target(k), d = mesh.apex(k);
     return c == b || d == b || !context.is_turned_over(b, c, d);
+  });
+  return !is_fold_free && mesh.all_around(a, [&](Remeshing_mesh::Index k) {
+    return !context.is_turned_over(a, mesh.target(k), mesh.apex(k));
   });
 }
 
@@ -136,7 +174,7 @@ Remeshing_mesh::Index choose_collapse(const Context& context, Remeshing_mesh::In
   for (const Index k : {first, second}) {
     const bool is_along_curve = mesh.is_on_curve(mesh.source(k));
     if (is_along_curve && !(context.may_collapse_constraints && keeps_curve(mesh, k, limits))) continue;
-    if (is_collapse_fit(mesh, k, limits) && mesh.is_collapse_legal(k) && leaves_no_fold(context, k) &&
+    if (is_collapse_fit(mesh, k, limits) && mesh.is_collapse_legal(k) && !makes_fold(context, k) &&
         context.permits_collapse(k)) return k;
   }
   return NO_COLLAPSE;
@@ -153,7 +191,7 @@ std::size_t collapse_pass(Context& context, std::vector<Remeshing_mesh::Index>& 
   const double length = context.target_length;
   const auto squared = [](double x) { return x * x; };
   const Collapse_limits limits{context.squared_length_limit(), squared(context.recipe.collapse_tolerance * length),
-                               squared(CURVE_TOLERANCE * length), MAXIMUM_MERGED_VALENCE};
+                               CURVE_TOLERANCE * length, MAXIMUM_MERGED_VALENCE};
   std::size_t collapses = 0;
   evaluate_then_apply<ConcurrencyTag>(mesh, short_edges,
     [&](Index h) -> Index {
@@ -164,6 +202,7 @@ std::size_t collapse_pass(Context& context, std::vector<Remeshing_mesh::Index>& 
       if (k == NO_COLLAPSE) return;
       const Index kept = mesh.source(mesh.opposite(k));
       context.visitor.before_collapse(Mesh_halfedge(k), mesh);
+      if (mesh.is_on_curve(mesh.source(k))) note_curve_error(mesh, k);
       mesh.collapse(k);
       context.visitor.after_collapse(Mesh_vertex(kept), mesh);
       ++collapses;

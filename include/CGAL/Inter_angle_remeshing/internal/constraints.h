@@ -46,20 +46,26 @@ inline bool is_sharp(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, double
   return product > 0 && dot(m, n) < cosine * std::sqrt(product);
 }
 
-// Locks the corners of curves: ends, junctions and turns.
+// Locks the corners of curves: ends, junctions, turns, and where a constrained part of the border begins.
 inline void lock_corners(Remeshing_mesh& mesh)
 {
   using Index = Remeshing_mesh::Index;
   for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
     if (!mesh.is_on_curve(v)) continue;
     std::vector<Vector3> directions;
+    int constrained = 0;
+    const auto add = [&](Index h, Index u) {
+      directions.push_back(mesh.position(u) - mesh.position(v));
+      constrained += mesh.is_constrained(h);
+    };
     Index last = -1;
     mesh.for_each_around(v, [&](Index h) {
-      if (mesh.is_on_curve_edge(h)) directions.push_back(mesh.position(mesh.target(h)) - mesh.position(v));
+      if (mesh.is_on_curve_edge(h)) add(h, mesh.target(h));
       last = h;
     });
-    if (mesh.is_border_vertex(v)) directions.push_back(mesh.position(mesh.apex(last)) - mesh.position(v));
-    if (directions.size() != 2 || !is_cosine_at_least(directions[0], -1. * directions[1], CORNER_COSINE))
+    if (mesh.is_border_vertex(v)) add(mesh.prev(last), mesh.apex(last));
+    if (directions.size() != 2 || constrained == 1 ||
+        !is_cosine_at_least(directions[0], -1. * directions[1], CORNER_COSINE))
       mesh.add_marks(v, Remeshing_mesh::LOCKED);
   }
 }

@@ -56,9 +56,11 @@ bool is_flip_allowed(const Context& context, Remeshing_mesh::Index h, bool is_tr
 {
   const Remeshing_mesh& mesh = context.mesh;
   if (!mesh.is_flip_legal(h) || !is_flip_fit(mesh, h)) return false;
-  const Remeshing_mesh::Index o = mesh.opposite(h), c = mesh.apex(h), d = mesh.apex(o);
-  return !context.is_turned_over(mesh.origin(h), d, c) && !context.is_turned_over(mesh.origin(o), c, d) &&
-         context.permits_flip(h, is_transient);
+  const Remeshing_mesh::Index o = mesh.opposite(h);
+  const Remeshing_mesh::Index a = mesh.origin(h), b = mesh.origin(o), c = mesh.apex(h), d = mesh.apex(o);
+  const bool makes_fold = (context.is_turned_over(a, d, c) || context.is_turned_over(b, c, d)) &&
+                          !context.is_turned_over(a, b, c) && !context.is_turned_over(b, a, d);
+  return !makes_fold && context.permits_flip(h, is_transient);
 }
 
 template <class Context>
