@@ -1,0 +1,618 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What isotropic_remeshing() keeps of CGAL's meshes and of random ones, and how good its triangles are.
+//
+//   test_meshes            runs the tests
+//   test_meshes measure    prints what the bounds in the tables are made from
+
+#include "invariants.h"
+
+#include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
+#include <CGAL/Inter_angle_remeshing/surface_distance.h>
+#include <CGAL/Inter_angle_remeshing/triangle_quality.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include "check.h"
+#include "meshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <map>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace IAR = CGAL::Inter_angle_remeshing;
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace parameters = CGAL::parameters;
+using namespace invariants;
+
+const Mesh& mesh_of_cgal(const std::string& name)
+{
+  static std::map<std::string, Mesh> meshes;
+  const auto found = meshes.find(name);
+  if(found != meshes.end())
+    return found->second;
+  Mesh& mesh = meshes[name];
+  CHECK_MESSAGE(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh),
+                name << ": cannot be read; see CGAL_DATA_DIR");
+  return mesh;
+}
+
+// How far borders and constrained edges move, in target lengths: what collapses take away from a curve adds up to this.
+constexpr double CURVE_TOLERANCE = .05;
+// Of distances from points that were computed, in edge lengths.
+constexpr double ROUNDING = 1e-14;
+
+// Whether `output` is a mesh, and can be asked further questions without running in circles.
+bool check_same_shape(const Mesh& output, const Mesh& input, const std::string& what)
+{
+  const bool is_mesh = CGAL::is_valid_polygon_mesh(output) && CGAL::is_triangle_mesh(output);
+  CHECK_MESSAGE(is_mesh, what);
+  if(!is_mesh)
+    return false;
+  CHECK_MESSAGE(!has_double_edges(output) || has_double_edges(input), what);
+  CHECK_MESSAGE(is_finite(output), what);
+  CHECK_MESSAGE(CGAL::is_closed(output) == CGAL::is_closed(input), what);
+  const Topology before = topology(input), after = topology(output);
+  CHECK_MESSAGE(after == before, what << ": before " << before << "; after " << after);
+  return true;
+}
+
+// --- real meshes -------------------------------------------------------------------------------------------------
+
+// What is promised beyond the topology. An output that intersects itself where the input does not, and faces turned
+// over, are known to be left on CAD models whose features are unknown (joint, cheese), where the target is longer than
+// a part of the model is thick, and on folds of the input (lion-head: 20 faces look away from the nearest one).
+enum Promises : unsigned
+{
+  NOTHING = 0,
+  EMBEDDED = 1, // no self-intersections
+  UPRIGHT = 2,  // no face looks away from the nearest face of the input
+  BOTH = EMBEDDED | UPRIGHT
+};
+
+// Bounds: the worst of nine runs whose lengths differ by up to 3% (`measure` prints it), and beyond it about a degree
+// for the extreme angles of smooth closed models, which polishing moves to between 44 and 85, 3 degrees for others, and
+// .2 degrees for the average.
+struct Expectation
+{
+  const char* name;
+  double factor;         // of the target length, in mean edge lengths
+  unsigned promises;
+  double minimum_angle, maximum_angle, average_angle;
+};
+
+const Expectation EXPECTATIONS[] = {
+  // closed and smooth; of genus 0 where nothing else is said
+  {"bear_bis",             1,  BOTH,     43,  86,   56.2},
+  {"blobby",               2,  BOTH,     43,  86,   56.8},
+  {"cactus",               1,  BOTH,     43,  86,   54.9},
+  {"cactus",               .5, BOTH,     43,  86,   56.2},
+  {"ellipsoid",            1,  BOTH,     43,  86,   56.2},
+  {"ellipsoid",            .5, BOTH,     43,  86,   56.9},
+  {"knot1",                1,  BOTH,     43,  86,   56.0},  // genus 1
+  {"knot2",                2,  BOTH,     43,  86,   55.2},  // two of genus 1
+  {"eight",                1,  BOTH,     42,  86,   52.7},  // genus 2
+  {"elephant",             1,  EMBEDDED, 37,  88,   55.6},  // genus 3
+  {"armadillo",            1,  EMBEDDED, 40,  88,   56.6},
+  {"hand",                 1,  EMBEDDED, 31,  90,   55.9},
+  {"retinal",              .5, BOTH,     43,  86,   57.0},
+  {"bones",                1,  NOTHING,  15,  100,  53.8},  // 26 components that intersect each other
+  // CAD
+  {"cube-meshed",          1,  BOTH,     41,  88,   56.3},
+  {"fandisk",              2,  EMBEDDED, 37,  88,   56.2},
+  {"anchor_dense",         1,  EMBEDDED, 41,  88,   55.6},  // genus 4
+  {"joint",                1,  NOTHING,  0,   180,  42.5},  // genus 2, faces as long as the model
+  {"cheese",               1,  NOTHING,  0,   180,  46.2},  // genus 133
+  // with borders
+  {"patch-30",             1,  BOTH,     25,  96,   51.5},  // one border
+  {"mushroom",             1,  BOTH,     25,  100,  55.5},  // one border
+  {"three_peaks",          .5, EMBEDDED, 3,   132,  55.7},  // one border
+  {"nefertiti",            1,  BOTH,     27,  98,   52.1},  // one border
+  {"lion-head",            1,  EMBEDDED, 8,   136,  56.1},  // one border
+  {"holes",                1,  BOTH,     2,   137,  54.0},  // seven borders
+  {"horizons",             1,  BOTH,     18,  97,   54.8},  // two components with a border each
+  {"blobby_3cc",           1,  BOTH,     6,   133,  53.6},  // three components, four borders
+  {"mech-holes-shark",     2,  NOTHING,  0,   175,  52.2},  // four borders
+  {"elephant-with-holes",  1,  NOTHING,  0,   175,  46.4},  // 106 borders
+  {"ALSTOM_TEST4",         1,  NOTHING,  0,   140,  45.7},  // six flat components with a border each
+  // with degenerate faces, four of eight
+  {"degtri_sliding",       1,  NOTHING,  0,   180,  35.0},
+};
+
+std::string name_of(const Expectation& e) { return std::string(e.name) + " at " + std::to_string(e.factor); }
+
+// The run under the sanitizers takes some twenty times as long.
+constexpr std::size_t SMALL = 1300;
+
+void real_meshes_keep_their_shape_and_gain_good_angles()
+{
+  for(const Expectation& e : EXPECTATIONS)
+  {
+    const Mesh& input = mesh_of_cgal(e.name);
+    if(meshes::is_small_run() && (input.number_of_faces() > SMALL || e.factor < 1))
+      continue;
+    const std::string what = name_of(e);
+    const double length = e.factor * mean_edge_length(input);
+    Mesh output = input;
+    const IAR::Remeshing_report report = IAR::isotropic_remeshing(length, output);
+    if(!check_same_shape(output, input, what))
+      continue;
+    CHECK_MESSAGE(report.output_faces == output.number_of_faces(), what);
+
+    const auto angles = IAR::inter_angle_statistics(output);
+    CHECK_MESSAGE(angles.minimum_angle >= e.minimum_angle, what << ": " << angles.minimum_angle);
+    CHECK_MESSAGE(angles.maximum_angle <= e.maximum_angle, what << ": " << angles.maximum_angle);
+    CHECK_MESSAGE(angles.average >= e.average_angle, what << ": " << angles.average);
+    const double moved = distance(border(input), border(output)) / length;
+    CHECK_MESSAGE(moved <= CURVE_TOLERANCE, what << ": " << moved);
+    if(e.promises & EMBEDDED)
+    {
+      CHECK_MESSAGE(!does_self_intersect(input), what << ": the table promises too much");
+      CHECK_MESSAGE(!does_self_intersect(output), what);
+    }
+    if(e.promises & UPRIGHT)
+    {
+      const std::size_t flipped = number_of_flipped_faces(output, input);
+      CHECK_MESSAGE(flipped == 0, what << ": " << flipped << " faces are flipped");
+    }
+  }
+}
+
+void measure_real_meshes()
+{
+  for(const Expectation& e : EXPECTATIONS)
+  {
+    const Mesh& input = mesh_of_cgal(e.name);
+    double minimum = 180, maximum = 0, average = 60, moved = 0;
+    unsigned intersecting = 0, turned = 0;
+    for(const double nearby : {.97, .98, .99, .995, 1., 1.005, 1.01, 1.02, 1.03})
+    {
+      const double length = nearby * e.factor * mean_edge_length(input);
+      Mesh output = input;
+      IAR::isotropic_remeshing(length, output);
+      const auto angles = IAR::inter_angle_statistics(output);
+      minimum = (std::min)(minimum, angles.minimum_angle);
+      maximum = (std::max)(maximum, angles.maximum_angle);
+      average = (std::min)(average, angles.average);
+      moved = (std::max)(moved, distance(border(input), border(output)) / length);
+      intersecting += does_self_intersect(output);
+      turned += number_of_flipped_faces(output, input) > 0;
+    }
+    std::printf("%-20s %4g: angles %6.2f to %6.2f, average %6.2f, border %.4f; self-intersecting %u of 9, "
+                "with turned faces %u of 9\n",
+                e.name, e.factor, minimum, maximum, average, moved, intersecting, turned);
+  }
+}
+
+// Edges cut at one of their ends: a new vertex on top of an old one, and two faces without an area for each.
+void degenerate_faces_are_survived()
+{
+  for(const char* name : {"eight", "nefertiti", "elephant"})
+  {
+    if(meshes::is_small_run() && mesh_of_cgal(name).number_of_faces() > SMALL)
+      continue;
+    Mesh input = mesh_of_cgal(name);
+    const double length = mean_edge_length(input);
+    std::vector<Mesh::Halfedge_index> cut;
+    for(const auto h : halfedges(input))
+      if(h.idx() % 97 == 5)
+        cut.push_back(h);
+    for(const auto h : cut)
+    {
+      const Point p = input.point(source(h, input));
+      const auto k = CGAL::Euler::split_edge(h, input);
+      input.point(target(k, input)) = p;
+      for(const auto side : {k, opposite(next(k, input), input)})
+        if(!is_border(side, input))
+          CGAL::Euler::split_face(side, next(next(side, input), input), input);
+    }
+    CHECK_MESSAGE(CGAL::is_triangle_mesh(input), name);
+    CHECK_MESSAGE(IAR::inter_angle_statistics(input).number_of_degenerate_faces >= cut.size(), name);
+
+    Mesh output = input;
+    IAR::isotropic_remeshing(length, output);
+    check_same_shape(output, input, name);
+    const auto angles = IAR::inter_angle_statistics(output);
+    CHECK_MESSAGE(angles.number_of_degenerate_faces == 0, name << ": " << angles.number_of_degenerate_faces);
+    CHECK_MESSAGE(angles.average >= 50, name << ": " << angles.average);
+  }
+}
+
+// --- lengths and face counts -------------------------------------------------------------------------------------
+
+void lengths_far_too_large_and_far_too_small_return()
+{
+  for(const std::string name : {"ellipsoid", "eight", "blob", "joint", "quint_tris", "triangular_hole"})
+  {
+    const Mesh& input = mesh_of_cgal(name);
+    // Known to leave folds and needles at the smaller length; the count of faces is then high.
+    const bool has_needles = name == "joint" || name == "triangular_hole";
+    for(const double factor : {100., 1. / 20})
+    {
+      if(meshes::is_small_run() && factor < 1 && input.number_of_faces() > 20)
+        continue;
+      const double length = factor * mean_edge_length(input);
+      Mesh output = input;
+      IAR::isotropic_remeshing(length, output);
+      const std::string what = name + " at " + std::to_string(factor);
+      check_same_shape(output, input, what);
+      const double faces = double(output.number_of_faces());
+      if(factor > 1)
+        CHECK_MESSAGE(faces <= double(input.number_of_faces()), what << ": " << faces << " faces");
+      else if(!has_needles)
+      {
+        // An equilateral triangle with the target length as edge has the area sqrt(3) / 4 length^2.
+        const double equilateral = PMP::area(input) / (std::sqrt(3.) / 4 * length * length);
+        CHECK_MESSAGE(faces > .9 * equilateral && faces < 1.25 * equilateral, what << ": " << faces / equilateral);
+      }
+    }
+  }
+}
+
+// Closed models that are smooth enough for the wanted numbers of faces.
+const char* const ORGANIC[] = {"cactus", "knot1", "blobby", "retinal", "sphere966", "hand", "handle", "elephant",
+                               "homer", "bear_bis"};
+
+// Measured: within 4% at these factors; 6% too few for bear_bis at .7.
+constexpr double COUNT_TOLERANCE = .05;
+
+// Measured: 2 to 6.4% too many.
+constexpr double LENGTH_TOLERANCE = .08;
+
+// How many faces there are of those that a length was asked for.
+double yield(const Mesh& input, double wanted)
+{
+  Mesh output = input;
+  IAR::isotropic_remeshing(IAR::target_edge_length(faces(input), input, std::size_t(wanted)), output);
+  return double(output.number_of_faces()) / wanted;
+}
+
+void wanted_numbers_of_faces_are_met()
+{
+  for(const char* name : ORGANIC)
+  {
+    const Mesh& input = mesh_of_cgal(name);
+    if(meshes::is_small_run() && input.number_of_faces() > SMALL)
+      continue;
+    for(const double factor : {.5, 1., 2.})
+    {
+      const double wanted = std::round(factor * double(input.number_of_faces()));
+      Mesh output = input;
+      IAR::isotropic_remeshing(IAR::Face_count(std::size_t(wanted)), output);
+      const double got = double(output.number_of_faces());
+      CHECK_MESSAGE(std::abs(got - wanted) <= COUNT_TOLERANCE * wanted, name << ": " << got << " for " << wanted);
+      check_same_shape(output, input, name);
+    }
+    const double lengths_yield = yield(input, double(input.number_of_faces()));
+    CHECK_MESSAGE(std::abs(lengths_yield - 1) <= LENGTH_TOLERANCE, name << ": " << lengths_yield);
+  }
+}
+
+// --- Polygon_mesh_processing -------------------------------------------------------------------------------------
+
+struct Quality
+{
+  double average_angle, hausdorff, mean_distance;
+
+  Quality(const Mesh& output, const Mesh& input)
+    : average_angle(IAR::inter_angle_statistics(output).average)
+  {
+    const auto d = IAR::surface_distance(input, output, parameters::number_of_points_on_faces(20000));
+    hausdorff = d.hausdorff();
+    mean_distance = d.mean();
+  }
+};
+
+std::pair<Quality, Quality> ours_and_that_of_pmp(const Mesh& input, double length)
+{
+  Mesh ours = input, theirs = input;
+  IAR::isotropic_remeshing(faces(ours), length, ours, parameters::number_of_iterations(10));
+  PMP::isotropic_remeshing(faces(theirs), length, theirs, parameters::number_of_iterations(10));
+  return {Quality(ours, input), Quality(theirs, input)};
+}
+
+// Measured: 1.9 to 4.6 degrees more on the average; at most 1.6 times PMP's Hausdorff and 1.4 times its mean distance.
+constexpr double AVERAGE_GAIN = 1.5;
+constexpr double HAUSDORFF_FACTOR = 1.8, MEAN_DISTANCE_FACTOR = 1.5;
+
+void angles_are_better_than_those_of_polygon_mesh_processing()
+{
+  if(meshes::is_small_run())
+    return;
+  for(const char* name : ORGANIC)
+  {
+    const Mesh& input = mesh_of_cgal(name);
+    const auto [ours, theirs] = ours_and_that_of_pmp(input, mean_edge_length(input));
+    CHECK_MESSAGE(ours.average_angle >= theirs.average_angle + AVERAGE_GAIN,
+                  name << ": " << ours.average_angle << " and " << theirs.average_angle);
+    CHECK_MESSAGE(ours.hausdorff <= HAUSDORFF_FACTOR * theirs.hausdorff,
+                  name << ": " << ours.hausdorff << " and " << theirs.hausdorff);
+    CHECK_MESSAGE(ours.mean_distance <= MEAN_DISTANCE_FACTOR * theirs.mean_distance,
+                  name << ": " << ours.mean_distance << " and " << theirs.mean_distance);
+  }
+}
+
+void measure_organic_meshes()
+{
+  for(const char* name : ORGANIC)
+  {
+    const Mesh& input = mesh_of_cgal(name);
+    std::printf("%-20s faces, of those wanted:", name);
+    for(const double factor : {.25, .5, .7, 1., 1.4, 2., 4.})
+    {
+      const double wanted = std::round(factor * double(input.number_of_faces()));
+      Mesh output = input;
+      IAR::isotropic_remeshing(IAR::Face_count(std::size_t(wanted)), output);
+      std::printf(" %.4f", double(output.number_of_faces()) / wanted);
+    }
+    std::printf("; by target_edge_length():");
+    for(const double factor : {.5, 1., 2.})
+      std::printf(" %.4f", yield(input, std::round(factor * double(input.number_of_faces()))));
+    double gain = 60, hausdorff = 0, mean = 0;
+    for(const double nearby : {.98, 1., 1.02})
+    {
+      const auto [ours, theirs] = ours_and_that_of_pmp(input, nearby * mean_edge_length(input));
+      gain = (std::min)(gain, ours.average_angle - theirs.average_angle);
+      hausdorff = (std::max)(hausdorff, ours.hausdorff / theirs.hausdorff);
+      mean = (std::max)(mean, ours.mean_distance / theirs.mean_distance);
+    }
+    std::printf("; against PMP: average %+.2f, Hausdorff distance x %.2f, mean distance x %.2f\n", gain, hausdorff,
+                mean);
+  }
+}
+
+// --- random meshes -----------------------------------------------------------------------------------------------
+
+// The same numbers everywhere: the standard fixes the generator, but none of its distributions.
+class Dice
+{
+  std::mt19937_64 generator_;
+
+public:
+  explicit Dice(std::uint64_t seed) : generator_(seed) {}
+
+  double in(double lower, double upper)
+  {
+    return lower + (upper - lower) * (double(generator_() >> 11) * 0x1p-53);
+  }
+  std::size_t below(std::size_t n) { return generator_() % n; }
+  bool chance(double probability) { return in(0, 1) < probability; }
+  template <class T, std::size_t n>
+  const T& one_of(const T (&values)[n]) { return values[below(n)]; }
+};
+
+meshes::Soup random_surface(Dice& dice)
+{
+  switch(dice.below(6))
+  {
+  case 0: return meshes::sphere(int(2 + dice.below(2)));
+  case 1: return meshes::torus(8 + dice.below(20), 4 + dice.below(10), dice.in(.2, .6));
+  case 2: return meshes::cube(1 + dice.below(6));
+  case 3: return meshes::square(1 + dice.below(12));
+  case 4: return meshes::sphere(2).joined_with(meshes::torus(12, 6, .3).moved(3, 0, 0));
+  default: return meshes::octahedron();
+  }
+}
+
+// A mesh with what is asked of the remesher about it.
+struct Random_case
+{
+  Mesh mesh;
+  std::vector<Face> range;
+  double length;
+  unsigned iterations;
+  bool do_split, do_collapse, do_flip, protect, collapse_constraints;
+  double sharpness_angle;
+  Mesh::Property_map<Edge, bool> is_constrained_edge;
+  Mesh::Property_map<Vertex, bool> is_constrained_vertex;
+  Mesh::Property_map<Face, int> patch;
+  bool has_patches;
+
+  explicit Random_case(std::uint64_t seed)
+  {
+    Dice dice(seed);
+    mesh = meshes::to_mesh<Mesh>(random_surface(dice));
+    add_noise(dice, dice.one_of({0., 0., .05, .2, .4}));
+    remove_faces(dice, dice.one_of({0., 0., .02, .1, .3}));
+    choose_range(dice);
+    mark(dice, dice.one_of({0., 0., .03, .2}), dice.one_of({0., 0., .1}));
+    make_patches(dice);
+    length = dice.chance(.08) ? 0. : mean_edge_length(mesh) * std::exp(dice.in(std::log(.3), std::log(4.)));
+    iterations = unsigned(1 + dice.below(10));
+    do_split = dice.chance(.9);
+    do_collapse = dice.chance(.9);
+    do_flip = dice.chance(.9);
+    protect = dice.chance(.3);
+    collapse_constraints = dice.chance(.8);
+    sharpness_angle = dice.one_of({180., 180., 60., 30.});
+  }
+
+  // A copy of this, remeshed.
+  template <class ConcurrencyTag>
+  std::pair<Mesh, IAR::Remeshing_report> remeshed() const
+  {
+    Mesh copy = mesh; // the property maps come along, under the same names
+    const auto report = IAR::isotropic_remeshing<ConcurrencyTag>(range, length, copy,
+      parameters::number_of_iterations(iterations).do_split(do_split).do_collapse(do_collapse).do_flip(do_flip)
+        .edge_is_constrained_map(edge_map(copy)).vertex_is_constrained_map(vertex_map(copy)).face_patch_map(patch_map(copy))
+        .protect_constraints(protect).collapse_constraints(collapse_constraints).sharpness_angle(sharpness_angle));
+    return {std::move(copy), report};
+  }
+
+  static Mesh::Property_map<Edge, bool> edge_map(Mesh& m)
+  {
+    return m.add_property_map<Edge, bool>("e:is_constrained", false).first;
+  }
+  static Mesh::Property_map<Vertex, bool> vertex_map(Mesh& m)
+  {
+    return m.add_property_map<Vertex, bool>("v:is_constrained", false).first;
+  }
+  static Mesh::Property_map<Face, int> patch_map(Mesh& m)
+  {
+    return m.add_property_map<Face, int>("f:patch", 0).first;
+  }
+
+private:
+  void add_noise(Dice& dice, double amount)
+  {
+    const double size = amount * mean_edge_length(mesh);
+    for(const Vertex v : vertices(mesh))
+    {
+      const double x = dice.in(-size, size), y = dice.in(-size, size), z = dice.in(-size, size);
+      mesh.point(v) = mesh.point(v) + Vector(x, y, z);
+    }
+  }
+
+  void remove_faces(Dice& dice, double probability)
+  {
+    const std::vector<Face> all(mesh.faces_begin(), mesh.faces_end());
+    for(const Face f : all)
+      if(dice.chance(probability) && mesh.number_of_faces() > 1)
+        CGAL::Euler::remove_face(halfedge(f, mesh), mesh);
+  }
+
+  // All faces, those on one side of a plane, or a random half.
+  void choose_range(Dice& dice)
+  {
+    const std::size_t kind = dice.below(4);
+    const double bound = dice.in(-.5, .5);
+    for(const Face f : faces(mesh))
+    {
+      const bool is_coin_up = dice.chance(.5);
+      if(kind < 2 || (kind == 2 ? corners(f, mesh)[0].x() < bound : is_coin_up))
+        range.push_back(f);
+    }
+  }
+
+  void mark(Dice& dice, double of_edges, double of_vertices)
+  {
+    is_constrained_edge = edge_map(mesh);
+    is_constrained_vertex = vertex_map(mesh);
+    for(const Edge e : edges(mesh))
+      is_constrained_edge[e] = dice.chance(of_edges);
+    for(const Vertex v : vertices(mesh))
+      is_constrained_vertex[v] = dice.chance(of_vertices);
+  }
+
+  // One, two on the sides of a plane, or three at random.
+  void make_patches(Dice& dice)
+  {
+    patch = patch_map(mesh);
+    const std::size_t kind = dice.below(6);
+    has_patches = kind < 2;
+    const double bound = dice.in(-.5, .5);
+    for(const Face f : faces(mesh))
+    {
+      const int any = int(dice.below(3));
+      patch[f] = kind == 0 ? int(corners(f, mesh)[0].y() < bound) : kind == 1 ? any : 7;
+    }
+  }
+};
+
+// Between faces of different patches.
+std::vector<Segment> patch_borders(Mesh& mesh)
+{
+  const auto patch = Random_case::patch_map(mesh);
+  return segments(mesh, [&](Edge e) {
+    const auto h = halfedge(e, mesh);
+    return !is_border(e, mesh) && patch[face(h, mesh)] != patch[face(opposite(h, mesh), mesh)];
+  });
+}
+
+// Vertices and points of the faces, in the order of their descriptors.
+template <class Faces>
+std::vector<std::pair<Vertex, meshes::Bits>> picture_of_faces(const Faces& all, const Mesh& mesh)
+{
+  std::vector<std::pair<Vertex, meshes::Bits>> picture;
+  for(const Face f : all)
+    for(const Vertex v : vertices_around_face(halfedge(f, mesh), mesh))
+      picture.emplace_back(v, meshes::bits(mesh.point(v)));
+  return picture;
+}
+
+
+void check_constraints_are_kept(Random_case& c, Mesh& output, const std::string& what)
+{
+  for(const Vertex v : vertices(c.mesh))
+    if(c.is_constrained_vertex[v] && !c.mesh.is_isolated(v))
+      CHECK_MESSAGE(!output.is_removed(v) && meshes::bits(output.point(v)) == meshes::bits(c.mesh.point(v)), what);
+
+  const auto map = Random_case::edge_map(output);
+  const auto before = segments(c.mesh, [&](Edge e) { return c.is_constrained_edge[e]; });
+  const auto after = segments(output, [&](Edge e) { return map[e]; });
+  const double tolerance = ROUNDING * mean_edge_length(c.mesh) + (c.protect ? 0 : CURVE_TOLERANCE * c.length);
+  const double lost = one_sided_distance(before, after);
+  CHECK_MESSAGE(lost <= tolerance, what << ": " << lost / c.length);
+  if(c.sharpness_angle == 180 && !c.has_patches) // else edges are marked in the end that were not marked before
+  {
+    const double gained = one_sided_distance(after, before);
+    CHECK_MESSAGE(gained <= tolerance, what << ": " << gained / c.length);
+  }
+  const double patches_moved = distance(patch_borders(c.mesh), patch_borders(output));
+  CHECK_MESSAGE(patches_moved <= tolerance, what << ": " << patches_moved / c.length);
+  const double moved = distance(border(c.mesh), border(output));
+  CHECK_MESSAGE(moved <= tolerance, what << ": " << moved / c.length);
+}
+
+void check_random_case(std::uint64_t seed)
+{
+  const std::string what = "seed " + std::to_string(seed);
+  Random_case c(seed);
+  auto [output, report] = c.remeshed<CGAL::Sequential_tag>();
+  if(!check_same_shape(output, c.mesh, what))
+    return;
+
+  std::vector<Face> outside;
+  std::set_difference(c.mesh.faces_begin(), c.mesh.faces_end(), c.range.begin(), c.range.end(),
+                      std::back_inserter(outside));
+  CHECK_MESSAGE(picture_of_faces(outside, output) == picture_of_faces(outside, c.mesh), what);
+  CHECK_MESSAGE(report.input_faces == c.range.size(), what);
+  CHECK_MESSAGE(report.output_faces + outside.size() == output.number_of_faces(), what);
+  check_constraints_are_kept(c, output, what);
+  if(c.length == 0 || (!c.do_split && !c.do_collapse))
+    CHECK_MESSAGE(output.number_of_faces() == c.mesh.number_of_faces(), what);
+  if(!c.do_split || c.length == 0)
+    CHECK_MESSAGE(report.splits == 0, what);
+  if(!c.do_collapse || c.length == 0)
+    CHECK_MESSAGE(report.collapses == 0, what);
+  if(!c.do_flip)
+    CHECK_MESSAGE(report.flips + report.glides == 0, what);
+
+  const auto again = c.remeshed<CGAL::Parallel_if_available_tag>();
+  CHECK_MESSAGE(meshes::Picture<Mesh>(again.first) == meshes::Picture<Mesh>(output), what);
+}
+
+void random_meshes_keep_what_they_must()
+{
+  const std::uint64_t cases = meshes::is_small_run() ? 120 : 800;
+  for(std::uint64_t seed = 0; seed < cases; ++seed)
+    check_random_case(seed);
+}
+
+int main(int argc, char* argv[])
+{
+  if(argc > 1 && std::strcmp(argv[1], "measure") == 0)
+  {
+    measure_real_meshes();
+    measure_organic_meshes();
+    return EXIT_SUCCESS;
+  }
+  real_meshes_keep_their_shape_and_gain_good_angles();
+  degenerate_faces_are_survived();
+  lengths_far_too_large_and_far_too_small_return();
+  wanted_numbers_of_faces_are_met();
+  angles_are_better_than_those_of_polygon_mesh_processing();
+  random_meshes_keep_what_they_must();
+  return result();
+}

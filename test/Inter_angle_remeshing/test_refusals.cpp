@@ -1,0 +1,1020 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What is refused, and in which words; what a run tells about itself, and how it is stopped; and the projector alone.
+
+#include <CGAL/Inter_angle_remeshing/Projection/Closest_point_projector.h>
+#include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
+#include <CGAL/Inter_angle_remeshing/target_edge_length.h>
+#include <CGAL/Inter_angle_remeshing/triangle_quality.h>
+
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include "check.h"
+#include "meshes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <memory>
+#include <random>
+#include <set>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace IAR = CGAL::Inter_angle_remeshing;
+namespace parameters = CGAL::parameters;
+using namespace meshes;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using Report = IAR::Remeshing_report;
+using Projector = IAR::Closest_point_projector<Mesh>;
+
+constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
+constexpr double INFINITE = std::numeric_limits<double>::infinity();
+
+double distance(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+
+// --- refusals ----------------------------------------------------------------------------------------------------
+
+void refusals_hold_in_release_builds()
+{
+#ifdef NDEBUG
+  const bool is_release = true;
+#else
+  const bool is_release = false;
+#endif
+  CHECK_MESSAGE(is_release || is_small_run(), "build this test with NDEBUG: CGAL's own checks must be off");
+}
+
+// `call(mesh)` is refused with a message that contains `text`, and the mesh stays as it was.
+template <class Graph, class Call>
+void check_refused(Graph& g, const std::string& text, const Call& call)
+{
+  const Picture<Graph> before(g);
+  CHECK_THROWS_AS(call(g), CGAL::Precondition_exception, text);
+  CHECK_MESSAGE(Picture<Graph>(g) == before, text);
+}
+
+template <class Call>
+void check_refused(const std::string& text, const Call& call)
+{
+  Mesh m = to_mesh<Mesh>(sphere(1));
+  check_refused(m, text, call);
+}
+
+// The square with its first two triangles made into one quadrangle.
+template <class Graph>
+Graph square_with_a_quadrangle()
+{
+  Graph g = to_mesh<Graph>(square(4));
+  for(const auto h : halfedges(g))
+    if(!CGAL::is_border_edge(h, g))
+    {
+      CGAL::Euler::join_face(h, g);
+      return g;
+    }
+  return g;
+}
+
+template <class Graph>
+bool is_triangle(typename boost::graph_traits<Graph>::face_descriptor f, const Graph& g)
+{
+  return CGAL::is_triangle(halfedge(f, g), g);
+}
+
+template <class Graph>
+void faces_that_are_no_triangles_are_refused()
+{
+  Graph g = square_with_a_quadrangle<Graph>();
+  check_refused(g, "is not a triangle", [](Graph& m) { IAR::isotropic_remeshing(.1, m); });
+  check_refused(g, "triangulate_faces", [](Graph& m) { IAR::isotropic_remeshing(IAR::Face_count(100), m); });
+  check_refused(g, "is not a triangle", [](Graph& m) { IAR::target_edge_length(faces(m), m, 100); });
+  check_refused(g, "is not a triangle", [](Graph& m) { IAR::Closest_point_projector<Graph> projector(m); });
+
+  // ... in the range. Elsewhere, they are left alone
+  std::vector<typename boost::graph_traits<Graph>::face_descriptor> range, others;
+  for(const auto f : faces(g))
+    (is_triangle(f, g) ? range : others).push_back(f);
+  CHECK(others.size() == 1);
+  IAR::isotropic_remeshing(range, .1, g);
+  CHECK(CGAL::is_valid_polygon_mesh(g));
+  CHECK(CGAL::halfedges_around_face(halfedge(others[0], g), g).size() == 4);
+}
+
+void coordinates_that_are_not_finite_are_refused()
+{
+  for(const double bad : {NOT_A_NUMBER, INFINITE, -INFINITE})
+    for(int axis = 0; axis < 3; ++axis)
+    {
+      Mesh m = to_mesh<Mesh>(sphere(1));
+      std::array<double, 3> p = {1, 2, 3};
+      p[axis] = bad;
+      m.point(Mesh::Vertex_index(5)) = Point(p[0], p[1], p[2]);
+      check_refused(m, "not finite", [](Mesh& g) { IAR::isotropic_remeshing(.1, g); });
+      check_refused(m, "not finite", [](Mesh& g) { IAR::target_edge_length(faces(g), g, 100); });
+      check_refused(m, "not finite", [](Mesh& g) { Projector projector(g); });
+    }
+  // finite, but too far apart for a difference
+  Mesh wide = to_mesh<Mesh>(sphere(1).scaled(1.7e308));
+  check_refused(wide, "too large", [](Mesh& g) { IAR::isotropic_remeshing(1e307, g); });
+  check_refused(wide, "too large", [](Mesh& g) { Projector projector(g); });
+}
+
+void a_range_that_is_one_point_is_refused()
+{
+  Mesh m = to_mesh<Mesh>(sphere(1).scaled(0).moved(1, 2, 3));
+  check_refused(m, "all points of the range are equal", [](Mesh& g) { IAR::isotropic_remeshing(.1, g); });
+  check_refused(m, "all points of the range are equal", [](Mesh& g) { IAR::target_edge_length(faces(g), g, 100); });
+  check_refused(m, "all points of the range are equal", [](Mesh& g) { Projector projector(g); });
+}
+
+void lengths_that_are_none_are_refused()
+{
+  check_refused("target edge length", [](Mesh& g) { IAR::isotropic_remeshing(-1., g); });
+  check_refused("target edge length", [](Mesh& g) { IAR::isotropic_remeshing(-1, g); });
+  check_refused("target edge length", [](Mesh& g) { IAR::isotropic_remeshing(-1e-300, g); });
+  check_refused("must be finite", [](Mesh& g) { IAR::isotropic_remeshing(NOT_A_NUMBER, g); });
+  check_refused("must be finite", [](Mesh& g) { IAR::isotropic_remeshing(INFINITE, g); });
+  check_refused("must be finite", [](Mesh& g) { IAR::isotropic_remeshing(-INFINITE, g); });
+  check_refused("must be finite", [](Mesh& g) { IAR::isotropic_remeshing(std::numeric_limits<float>::infinity(), g); });
+}
+
+void lengths_that_make_too_many_faces_are_refused()
+{
+  // The sphere's area is less than 4 pi, so of equilateral triangles of area sqrt(3) / 4 l^2 about 29 / l^2 are needed,
+  // which is 2.9e9 for 1e-4 and 2.9e8 for 3.2e-4; 3.6e8 can be had.
+  for(const double length : {1e-4, 1e-9, 1e-100, 1e-200, 1e-320})
+    check_refused("so small", [&](Mesh& g) { IAR::isotropic_remeshing(length, g); });
+  check_refused("so small", [&](Mesh& g) { IAR::isotropic_remeshing(IAR::Face_count(1000000000000), g); });
+  // at another scale, where the length is no small number
+  Mesh large = to_mesh<Mesh>(sphere(1).scaled(1e12));
+  check_refused(large, "so small", [&](Mesh& g) { IAR::isotropic_remeshing(1., g); });
+}
+
+void no_faces_are_refused_as_a_wish()
+{
+  check_refused("the wanted number of faces is 0", [](Mesh& g) { IAR::isotropic_remeshing(IAR::Face_count(0), g); });
+  check_refused("the wanted number of faces is 0", [](Mesh& g) { IAR::target_edge_length(faces(g), g, 0); });
+}
+
+void parameters_out_of_their_range_are_refused()
+{
+  const auto check = [](const std::string& text, const auto& np)
+  {
+    check_refused(text, [&](Mesh& g) { IAR::isotropic_remeshing(.3, g, np); });
+  };
+  check("relax_constraints", parameters::relax_constraints(true));
+  for(const double angle : {-1., -1e-9, 180.001, 1000., NOT_A_NUMBER, INFINITE})
+    check("sharpness_angle", parameters::sharpness_angle(angle));
+  check("number_of_iterations", parameters::number_of_iterations(-1));
+  check("number_of_relaxation_steps", parameters::number_of_relaxation_steps(-2));
+
+  // at the ends of the ranges nothing is refused
+  Mesh m = to_mesh<Mesh>(sphere(1));
+  CHECK(IAR::isotropic_remeshing(.3, m, parameters::sharpness_angle(180)).ending == Report::Ending::completed);
+  CHECK(IAR::isotropic_remeshing(.3, m, parameters::sharpness_angle(0.)).ending == Report::Ending::completed);
+  CHECK(IAR::isotropic_remeshing(.3, m, parameters::relax_constraints(false)).ending == Report::Ending::completed);
+}
+
+void counts_that_do_not_fit_are_refused()
+{
+  // 2^32 is 0 as an unsigned int
+  const auto np = parameters::number_of_iterations(1ll << 32);
+  check_refused("number_of_iterations", [&](Mesh& g) { IAR::isotropic_remeshing(.3, g, np); });
+}
+
+void recipes_out_of_range_are_refused()
+{
+  const auto check = [](const std::string& text, auto IAR::Recipe::*member, auto value, bool is_refused)
+  {
+    IAR::Recipe r;
+    r.*member = value;
+    if(is_refused)
+    {
+      check_refused(text, [&](Mesh& g) { IAR::isotropic_remeshing(.4, g, IAR::recipe(r)); });
+      return;
+    }
+    Mesh m = to_mesh<Mesh>(sphere(1));
+    const Report report = IAR::isotropic_remeshing(.4, m, IAR::recipe(r, parameters::number_of_iterations(1)));
+    CHECK_MESSAGE(report.ending == Report::Ending::completed, text << " " << value);
+  };
+  for(const double bad : {0., -1., 1.601, 2., NOT_A_NUMBER, INFINITE})
+    check("relaxation", &IAR::Recipe::relaxation, bad, true);
+  for(const double good : {1e-9, 1., 1.6})
+    check("relaxation", &IAR::Recipe::relaxation, good, false);
+  for(const double bad : {1., 0., -1., 2.01, NOT_A_NUMBER, INFINITE})
+    check("split_ratio", &IAR::Recipe::split_ratio, bad, true);
+  check("split_ratio", &IAR::Recipe::split_ratio, 2., false);
+  for(const double bad : {-.1, 1., 2., NOT_A_NUMBER})
+    check("collapse_ratio", &IAR::Recipe::collapse_ratio, bad, true);
+  check("collapse_ratio", &IAR::Recipe::collapse_ratio, 0., false);
+  check("collapse_ratio", &IAR::Recipe::collapse_ratio, .99, false);
+  // together: a new edge must not be too short again
+  IAR::Recipe narrow;
+  narrow.split_ratio = 1.05;
+  narrow.collapse_ratio = .9;
+  check_refused("collapse_ratio", [&](Mesh& g) { IAR::isotropic_remeshing(.4, g, IAR::recipe(narrow)); });
+  check("glide_depth", &IAR::Recipe::glide_depth, 17u, true);
+  check("glide_depth", &IAR::Recipe::glide_depth, 1000000u, true);
+  check("glide_depth", &IAR::Recipe::glide_depth, 16u, false);
+  check("glide_depth", &IAR::Recipe::glide_depth, 0u, false);
+  check("collapse_tolerance", &IAR::Recipe::collapse_tolerance, -.1, true);
+  check("collapse_tolerance", &IAR::Recipe::collapse_tolerance, NOT_A_NUMBER, true);
+  check("collapse_tolerance", &IAR::Recipe::collapse_tolerance, 0., false);
+  for(const double bad : {-1., 60., 61., NOT_A_NUMBER})
+    check("band of angles", &IAR::Recipe::lower_angle, bad, true);
+  for(const double bad : {59., 60., 181., NOT_A_NUMBER})
+    check("band of angles", &IAR::Recipe::upper_angle, bad, true);
+  check("band of angles", &IAR::Recipe::lower_angle, 0., false);
+  check("band of angles", &IAR::Recipe::upper_angle, 180., false);
+}
+
+// A cone with `n` faces.
+Soup cone(std::size_t n)
+{
+  Soup soup{{{0, 0, 1}}, {}};
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const double angle = 2 * CGAL_PI * double(i) / double(n);
+    soup.points.push_back({std::cos(angle), std::sin(angle), 0});
+    soup.faces.push_back({0, 1 + i, 1 + (i + 1) % n});
+  }
+  return soup;
+}
+
+void vertices_with_too_many_faces_are_refused()
+{
+  Mesh too_many = to_mesh<Mesh>(cone(16384));
+  check_refused(too_many, "16384 faces", [](Mesh& g) { IAR::isotropic_remeshing(.1, g); });
+  Mesh many = to_mesh<Mesh>(cone(16383));
+  IAR::isotropic_remeshing(.3, many, parameters::number_of_iterations(1));
+  CHECK(CGAL::is_valid_polygon_mesh(many));
+}
+
+// Triangles whose sides are named: as many edges between two vertices as have names.
+struct Named_triangle
+{
+  std::array<std::size_t, 3> corners;
+  std::array<std::size_t, 3> sides;  // from corner k to corner k + 1
+};
+
+Mesh to_mesh(const std::vector<std::array<double, 3>>& points, const std::vector<Named_triangle>& triangles)
+{
+  Mesh m;
+  for(const auto& p : points)
+    m.add_vertex(Point(p[0], p[1], p[2]));
+  std::map<std::size_t, Mesh::Halfedge_index> free_side;
+  for(const Named_triangle& t : triangles)
+  {
+    const Mesh::Face_index f = m.add_face();
+    std::array<Mesh::Halfedge_index, 3> h;
+    for(int k = 0; k < 3; ++k)
+    {
+      const auto known = free_side.find(t.sides[k]);
+      h[k] = known == free_side.end() ? m.halfedge(CGAL::add_edge(m)) : known->second;
+      free_side[t.sides[k]] = m.opposite(h[k]);
+    }
+    for(int k = 0; k < 3; ++k)
+    {
+      const Mesh::Vertex_index target(unsigned(t.corners[(k + 1) % 3]));
+      m.set_target(h[k], target);
+      m.set_halfedge(target, h[k]);
+      m.set_next(h[k], h[(k + 1) % 3]);
+      m.set_face(h[k], f);
+    }
+    m.set_halfedge(f, h[0]);
+  }
+  return m;
+}
+
+// A sphere on whose equator two edges, 0 and 1, join the vertices 0 and 1; two more vertices above, and two below.
+Mesh sphere_with_a_doubled_edge()
+{
+  const Mesh m = to_mesh({{-1, 0, 0}, {1, 0, 0}, {0, .6, .6}, {0, -.6, .6}, {0, .6, -.6}, {0, -.6, -.6}},
+                         {{{0, 1, 2}, {0, 2, 3}}, {{1, 0, 3}, {1, 4, 5}}, {{1, 3, 2}, {5, 6, 2}}, {{0, 2, 3}, {3, 6, 4}},
+                          {{1, 0, 4}, {0, 7, 8}}, {{0, 1, 5}, {1, 9, 10}}, {{0, 5, 4}, {10, 11, 7}},
+                          {{1, 4, 5}, {8, 11, 9}}});
+  CHECK(CGAL::is_valid_polygon_mesh(m) && CGAL::is_closed(m) && m.number_of_edges() == 12);
+  return m;
+}
+
+void doubled_edges_are_refused_only_where_they_are_protected()
+{
+  Mesh m = sphere_with_a_doubled_edge();
+  auto marks = m.add_property_map<Mesh::Edge_index, bool>("e:mark", false).first;
+  std::size_t doubled = 0;
+  for(const auto e : m.edges())
+    if(std::max(m.vertex(e, 0), m.vertex(e, 1)) == Mesh::Vertex_index(1))
+    {
+      marks[e] = true;
+      ++doubled;
+    }
+  CHECK(doubled == 2);
+  check_refused(m, "join the same two vertices", [&](Mesh& g) {
+    IAR::isotropic_remeshing(.5, g, parameters::edge_is_constrained_map(marks).protect_constraints(true));
+  });
+  const Report report = IAR::isotropic_remeshing(.3, m);
+  CHECK(report.ending == Report::Ending::completed);
+  CHECK(CGAL::is_valid_polygon_mesh(m) && CGAL::is_closed(m));
+}
+
+void an_empty_range_is_nothing_to_do()
+{
+  Mesh m = to_mesh<Mesh>(sphere(1));
+  const Picture<Mesh> before(m);
+  const std::vector<Mesh::Face_index> none;
+  const auto check = [&](const Report& report)
+  {
+    CHECK(report.ending == Report::Ending::nothing_to_do);
+    CHECK(report.iterations == 0 && report.splits == 0 && report.input_faces == 0);
+    CHECK(Picture<Mesh>(m) == before);
+  };
+  check(IAR::isotropic_remeshing(none, .1, m));
+  check(IAR::isotropic_remeshing(none, IAR::Face_count(100), m));
+  Mesh empty;
+  CHECK(IAR::isotropic_remeshing(.1, empty).ending == Report::Ending::nothing_to_do);
+  CHECK(empty.is_empty());
+}
+
+void no_iteration_is_nothing_to_do()
+{
+  Mesh m = to_mesh<Mesh>(sphere(1));
+  const Picture<Mesh> before(m);
+  const Report report = IAR::isotropic_remeshing(.1, m, parameters::number_of_iterations(0));
+  CHECK(report.ending == Report::Ending::nothing_to_do);
+  CHECK(Picture<Mesh>(m) == before);
+}
+
+void a_projection_that_is_not_finite_ends_the_run()
+{
+  for(const double bad : {NOT_A_NUMBER, INFINITE})
+  {
+    Mesh m = to_mesh<Mesh>(sphere(2));
+    const Picture<Mesh> before(m);
+    int calls = 0;
+    const auto fails_later = [&](const Point& p) { return ++calls == 100 ? Point(bad, 0, 0) : p; };
+    CHECK_THROWS_AS(IAR::isotropic_remeshing(.2, m, parameters::projection_functor(std::cref(fails_later))),
+                    CGAL::Postcondition_exception, "not finite");
+    CHECK(Picture<Mesh>(m) == before);
+  }
+}
+
+// --- how a run goes on -------------------------------------------------------------------------------------------
+
+void progress_rises_from_0_to_1()
+{
+  for(const bool is_paper : {false, true})
+  {
+    Mesh m = to_mesh<Mesh>(sphere(2));
+    std::vector<double> progress;
+    IAR::isotropic_remeshing(.2, m, IAR::recipe(is_paper ? IAR::Recipe::paper() : IAR::Recipe(),
+      parameters::number_of_iterations(4).callback([&](double done) { progress.push_back(done); return true; })));
+    CHECK(progress.size() >= 4 * 3);
+    CHECK(std::is_sorted(progress.begin(), progress.end()));
+    CHECK(progress.front() > 0 && progress.back() <= 1);
+    // by the time of the last call no more than one pass was left
+    CHECK(progress.back() > .9);
+  }
+}
+
+template <class Graph>
+void a_run_can_be_cancelled_after_each_pass()
+{
+  const Graph input = to_mesh<Graph>(sphere(2));
+  std::size_t last = 0;
+  IAR::isotropic_remeshing(.2, *std::make_unique<Graph>(input),
+                           parameters::number_of_iterations(3).callback([&](double) { ++last; return true; }));
+  CHECK(last > 10);
+  for(std::size_t k = 1; k <= last; k += k < 12 ? 1 : 3)
+  {
+    Graph g = input;
+    std::size_t calls = 0;
+    const Report report = IAR::isotropic_remeshing(.2, g, parameters::number_of_iterations(3)
+                                                            .callback([&](double) { return ++calls != k; }));
+    CHECK_MESSAGE(report.ending == Report::Ending::cancelled, "call " << k);
+    CHECK_MESSAGE(calls == k, "called " << calls << " times, cancelled at call " << k);
+    CHECK(CGAL::is_valid_polygon_mesh(g) && CGAL::is_closed(g));
+    CHECK(report.output_faces == faces(g).size());
+    CHECK(report.splits > 0);  // the first pass
+    CHECK(report.iterations <= 3);
+  }
+}
+
+void pass_names_are_distinct()
+{
+  const std::set<IAR::Pass> passes = {IAR::Pass::split, IAR::Pass::collapse, IAR::Pass::flip, IAR::Pass::glide,
+                                      IAR::Pass::relax, IAR::Pass::clean_up, IAR::Pass::polish};
+  CHECK(passes.size() == 7);
+}
+
+// Checks the order of what it is told, and counts.
+class Witness
+{
+public:
+  std::size_t splits = 0, collapses = 0, flips = 0, moves = 0;
+  std::map<IAR::Pass, std::size_t> counted, passes;
+  unsigned iterations = 0;
+
+  template <class M>
+  void start_iteration(unsigned i, const M&)
+  {
+    CHECK(!is_in_iteration_ && !is_in_pass_ && i == iterations);
+    is_in_iteration_ = true;
+  }
+
+  template <class M>
+  void end_iteration(unsigned i, const M&)
+  {
+    CHECK(is_in_iteration_ && !is_in_pass_ && i == iterations);
+    is_in_iteration_ = false;
+    ++iterations;
+  }
+
+  template <class M>
+  void start_pass(IAR::Pass pass, const M& mesh)
+  {
+    CHECK(!is_in_pass_ && !is_in_operation_);
+    // what lies outside of an iteration is the clean-up after the last one
+    if(!is_in_iteration_)
+      CHECK(pass != IAR::Pass::split && pass != IAR::Pass::collapse && pass != IAR::Pass::glide && iterations > 0);
+    else
+      CHECK(pass != IAR::Pass::clean_up && pass != IAR::Pass::polish);
+    is_in_pass_ = true;
+    pass_ = pass;
+    ++passes[pass];
+    at_start_ = {splits, collapses, flips, moves};
+    faces_at_start_ = num_faces(mesh);
+    before_move_.clear();
+    after_move_.clear();
+  }
+
+  template <class M>
+  void end_pass(IAR::Pass pass, const M& mesh, std::size_t count)
+  {
+    CHECK(is_in_pass_ && !is_in_operation_ && pass == pass_);
+    is_in_pass_ = false;
+    counted[pass] += count;
+    const std::size_t split = splits - at_start_[0], collapsed = collapses - at_start_[1],
+                      flipped = flips - at_start_[2];
+    switch(pass)
+    {
+    case IAR::Pass::split:
+      CHECK(count == split && collapsed == 0 && flipped == 0 && num_faces(mesh) >= faces_at_start_);
+      break;
+    case IAR::Pass::collapse:
+    case IAR::Pass::clean_up:
+      CHECK(count == collapsed && split == 0 && flipped == 0 && num_faces(mesh) <= faces_at_start_);
+      break;
+    case IAR::Pass::flip:
+      CHECK(count == flipped && split == 0 && collapsed == 0);
+      break;
+    case IAR::Pass::glide:
+      CHECK(count <= flipped && split == 0 && collapsed == 0);
+      break;
+    case IAR::Pass::relax:
+      CHECK(split + collapsed + flipped == 0);
+      CHECK(before_move_ == after_move_);
+      CHECK_MESSAGE(count == before_move_.size(), count << " vertices relaxed, " << before_move_.size() << " announced");
+      break;
+    case IAR::Pass::polish:
+      CHECK(split + collapsed + flipped == 0);
+      break;
+    }
+  }
+
+  template <class Halfedge, class M>
+  void before_split(Halfedge h, const M& mesh)
+  {
+    begin(IAR::Pass::split);
+    faces_before_ = num_faces(mesh);
+    is_border_ = CGAL::is_border_edge(h, mesh);
+    midpoint_ = CGAL::midpoint(get(CGAL::vertex_point, mesh, source(h, mesh)), get(CGAL::vertex_point, mesh, target(h, mesh)));
+  }
+  template <class Vertex, class M>
+  void after_split(Vertex v, const M& mesh)
+  {
+    end();
+    ++splits;
+    CHECK(degree(v, mesh) == (is_border_ ? 3 : 4));
+    CHECK(num_faces(mesh) == faces_before_ + (is_border_ ? 1 : 2));
+    CHECK(distance(get(CGAL::vertex_point, mesh, v), midpoint_) < 1e-12);
+  }
+
+  template <class Halfedge, class M>
+  void before_collapse(Halfedge h, const M& mesh)
+  {
+    begin(IAR::Pass::collapse, IAR::Pass::clean_up);
+    faces_before_ = num_faces(mesh);
+    is_border_ = CGAL::is_border_edge(h, mesh);
+    kept_ = get(CGAL::vertex_point, mesh, target(h, mesh));
+  }
+  template <class Vertex, class M>
+  void after_collapse(Vertex v, const M& mesh)
+  {
+    end();
+    ++collapses;
+    CHECK(num_faces(mesh) + (is_border_ ? 1 : 2) == faces_before_);
+    CHECK(get(CGAL::vertex_point, mesh, v) == kept_);
+  }
+
+  template <class Halfedge, class M>
+  void before_flip(Halfedge h, const M& mesh)
+  {
+    begin(IAR::Pass::flip, IAR::Pass::glide);
+    diagonal_ = {target(next(h, mesh), mesh).index(), target(next(opposite(h, mesh), mesh), mesh).index()};
+  }
+  template <class Halfedge, class M>
+  void after_flip(Halfedge h, const M& mesh)
+  {
+    end();
+    ++flips;
+    CHECK((std::set<int>{source(h, mesh).index(), target(h, mesh).index()} == diagonal_));
+  }
+
+  template <class Vertex, class M>
+  void before_move(Vertex v, const M&)
+  {
+    CHECK(is_in_pass_ && (pass_ == IAR::Pass::relax || pass_ == IAR::Pass::polish));
+    before_move_.insert(v.index());
+    ++moves;
+  }
+  template <class Vertex, class M>
+  void after_move(Vertex v, const M&)
+  {
+    CHECK(is_in_pass_ && (pass_ == IAR::Pass::relax || pass_ == IAR::Pass::polish));
+    after_move_.insert(v.index());
+  }
+
+private:
+  void begin(IAR::Pass pass, IAR::Pass or_pass)
+  {
+    CHECK(is_in_pass_ && !is_in_operation_ && (pass_ == pass || pass_ == or_pass));
+    is_in_operation_ = true;
+  }
+  void begin(IAR::Pass pass) { begin(pass, pass); }
+  void end()
+  {
+    CHECK(is_in_operation_);
+    is_in_operation_ = false;
+  }
+
+  bool is_in_iteration_ = false, is_in_pass_ = false, is_in_operation_ = false, is_border_ = false;
+  IAR::Pass pass_ = IAR::Pass::split;
+  std::array<std::size_t, 4> at_start_;
+  std::size_t faces_at_start_ = 0, faces_before_ = 0;
+  Point midpoint_, kept_;
+  std::set<int> diagonal_, before_move_, after_move_;
+};
+
+// A sphere with a part cut off, with short and long edges, and vertices of 5, 6 and 7 edges.
+Mesh uneven_mesh_with_a_border()
+{
+  Soup soup = sphere(3);
+  for(auto& p : soup.points)
+  {
+    const double factor = 1 + .8 * p[0];
+    for(double& coordinate : p)
+      coordinate *= factor;
+  }
+  Mesh m = to_mesh<Mesh>(soup);
+  for(const auto f : std::vector<Mesh::Face_index>(m.faces().begin(), m.faces().end()))
+    if(m.point(m.target(m.halfedge(f))).z() > .8)
+      CGAL::Euler::remove_face(m.halfedge(f), m);
+  m.collect_garbage();
+  scramble(m, [](std::size_t edge) { return edge % 7 == 0; });
+  return m;
+}
+
+void a_visitor_is_told_everything_in_order()
+{
+  for(const bool is_closed : {true, false})
+  {
+    Mesh m = is_closed ? to_mesh<Mesh>(sphere(3)) : uneven_mesh_with_a_border();
+    Witness w;
+    const Report report = IAR::isotropic_remeshing(.3, m, parameters::number_of_iterations(4).visitor(std::ref(w)));
+    CHECK(w.iterations == 4 && report.iterations == 4);
+    CHECK(w.splits == report.splits && w.counted[IAR::Pass::split] == report.splits);
+    CHECK(w.collapses == report.collapses);
+    CHECK(w.counted[IAR::Pass::collapse] + w.counted[IAR::Pass::clean_up] == report.collapses);
+    CHECK(w.counted[IAR::Pass::flip] == report.flips);
+    CHECK(w.counted[IAR::Pass::glide] == report.glides);
+    CHECK(w.flips >= report.flips + report.glides);
+    CHECK(w.moves > 0);
+    CHECK(w.passes[IAR::Pass::split] == 4 && w.passes[IAR::Pass::collapse] == 4);
+    CHECK(w.passes[IAR::Pass::clean_up] == 1);
+    CHECK(report.collapses > 0 && report.flips > 0);
+    CHECK(is_closed || (report.splits > 0 && report.glides > 0));
+  }
+}
+
+void a_visitor_can_be_copied_in()
+{
+  struct Silent : IAR::Default_visitor
+  {};
+  Mesh m = to_mesh<Mesh>(sphere(1));
+  CHECK(IAR::isotropic_remeshing(.3, m, parameters::visitor(Silent())).splits > 0);
+}
+
+void a_report_agrees_with_the_mesh()
+{
+  Mesh m = uneven_mesh_with_a_border();
+  const std::size_t before = m.number_of_faces();
+  const auto angles_before = IAR::inter_angle_statistics(m);
+  const Report r = IAR::isotropic_remeshing(.25, m, parameters::number_of_iterations(7));
+  const auto angles_after = IAR::inter_angle_statistics(m);
+  CHECK(r.ending == Report::Ending::completed && r.iterations == 7);
+  CHECK(r.target_edge_length == .25);
+  CHECK(r.input_faces == before && r.output_faces == m.number_of_faces());
+  const auto agree = [](const Report::Angles& a, const IAR::Inter_angle_statistics& s)
+  {
+    // the report takes the arc cosine from a polynomial that is good to 2e-6 degrees
+    return std::abs(a.minimum - s.minimum_angle) < 1e-5 && std::abs(a.maximum - s.maximum_angle) < 1e-5 &&
+           std::abs(a.average - s.average) < 1e-5;
+  };
+  CHECK(agree(r.angles_before, angles_before));
+  CHECK(agree(r.angles_after, angles_after));
+}
+
+void verbose_prints_a_line_an_iteration()
+{
+  const auto printed = [](bool is_verbose)
+  {
+    Mesh m = to_mesh<Mesh>(sphere(2));
+    std::ostringstream out;
+    std::streambuf* const before = std::cout.rdbuf(out.rdbuf());
+    IAR::isotropic_remeshing(.2, m, parameters::number_of_iterations(5).verbose(is_verbose));
+    std::cout.rdbuf(before);
+    return out.str();
+  };
+  const std::string text = printed(true);
+  CHECK(std::count(text.begin(), text.end(), '\n') == 5);
+  CHECK(text.find("faces") != std::string::npos && text.find("splits") != std::string::npos);
+  CHECK(printed(false).empty());
+}
+
+void without_relaxation_steps_nothing_is_relaxed()
+{
+  Mesh m = uneven_mesh_with_a_border();
+  Witness w;
+  const Report report = IAR::isotropic_remeshing(.3, m, parameters::number_of_relaxation_steps(0)
+                                                          .number_of_iterations(3).visitor(std::ref(w)));
+  CHECK(w.moves == 0 && w.passes[IAR::Pass::relax] == 0 && w.passes[IAR::Pass::polish] == 0);
+  CHECK(report.splits > 0);
+}
+
+void with_length_0_nothing_is_split_or_collapsed()
+{
+  Mesh m = uneven_mesh_with_a_border();
+  const std::size_t vertices = m.number_of_vertices(), faces = m.number_of_faces();
+  const Picture<Mesh> before(m);
+  const Report report = IAR::isotropic_remeshing(0, m);
+  CHECK(report.ending == Report::Ending::completed);
+  CHECK(report.splits == 0 && report.collapses == 0 && report.flips > 0);
+  CHECK(m.number_of_vertices() == vertices && m.number_of_faces() == faces && m.number_of_removed_vertices() == 0);
+  CHECK(Picture<Mesh>(m) != before);
+  CHECK(report.angles_after.average > report.angles_before.average + 1);
+  CHECK(CGAL::is_valid_polygon_mesh(m));
+}
+
+// --- the projector -----------------------------------------------------------------------------------------------
+
+// The distance from a point to a mesh, triangle by triangle.
+double brute_force_distance(const Point& p, const Mesh& m)
+{
+  double best = INFINITE;
+  for(const auto f : m.faces())
+  {
+    const auto h = m.halfedge(f);
+    const Kernel::Triangle_3 t(m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h))));
+    best = std::min(best, CGAL::squared_distance(p, t));
+  }
+  return std::sqrt(best);
+}
+
+// Far above rounding, at coordinates of about 1.
+constexpr double ROUNDING = 1e-12;
+
+template <class Function>
+void for_random_points(double low, double high, int n, const Function& function)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(low, high);
+  for(int i = 0; i < n; ++i)
+  {
+    const double x = coordinate(random), y = coordinate(random), z = coordinate(random);
+    function(Point(x, y, z));
+  }
+}
+
+void points_fall_onto_a_square()
+{
+  const Mesh m = to_mesh<Mesh>(square(5));
+  const Projector projector(m);
+  for_random_points(-1, 2, 500, [&](const Point& p) {
+    const Point expected(std::clamp(p.x(), 0., 1.), std::clamp(p.y(), 0., 1.), 0);
+    CHECK(distance(projector.project(p), expected) < ROUNDING);
+  });
+}
+
+void points_fall_onto_a_cube()
+{
+  const Mesh m = to_mesh<Mesh>(cube(3));
+  const Projector projector(m);
+  for_random_points(-1, 2, 500, [&](const Point& p) {
+    const Point in_cube(std::clamp(p.x(), 0., 1.), std::clamp(p.y(), 0., 1.), std::clamp(p.z(), 0., 1.));
+    const Point found = projector.project(p);
+    double to_cube = distance(p, in_cube);
+    if(to_cube == 0)  // inside: to the nearest side
+      to_cube = std::min({p.x(), p.y(), p.z(), 1 - p.x(), 1 - p.y(), 1 - p.z()});
+    CHECK(std::abs(distance(p, found) - to_cube) < ROUNDING);
+    CHECK(brute_force_distance(found, m) < ROUNDING);
+  });
+}
+
+void points_fall_where_brute_force_says()
+{
+  for(const double scale : {1., 1e-3, 1e6})
+  {
+    const Mesh m = to_mesh<Mesh>(sphere(2).scaled(scale));
+    const Projector projector(m);
+    for_random_points(-1.5 * scale, 1.5 * scale, 300, [&](const Point& p) {
+      const Point found = projector.project(p);
+      CHECK(std::abs(distance(p, found) - brute_force_distance(p, m)) < ROUNDING * scale);
+      CHECK(brute_force_distance(found, m) < ROUNDING * scale);
+    });
+  }
+}
+
+void a_sheet_that_looks_the_same_way_wins()
+{
+  // two sheets .01 apart: the lower one looks down, the upper one up
+  Soup lower = square(4), upper = square(4).moved(0, 0, .01);
+  for(auto& f : lower.faces)
+    std::swap(f[1], f[2]);
+  const Mesh plate = to_mesh<Mesh>(lower.joined_with(upper));
+  const Projector projector(plate);
+  const Kernel::Vector_3 up(0, 0, 1), down(0, 0, -1), slanted(.5, 0, .1);
+  for_random_points(0, 1, 100, [&](const Point& p) {
+    const Point q(p.x(), p.y(), -.005 + .02 * p.z());
+    const Point on_lower(q.x(), q.y(), 0), on_upper(q.x(), q.y(), .01);
+    CHECK(distance(projector.project(q), q.z() < .005 ? on_lower : on_upper) < ROUNDING);
+    CHECK(distance(projector.project(q, up), on_upper) < ROUNDING);
+    CHECK(distance(projector.project(q, down), on_lower) < ROUNDING);
+    CHECK(distance(projector.project(q, slanted), on_upper) < ROUNDING);
+    // where there is no such sheet, the nearest point of all
+    const Projector alone(to_mesh<Mesh>(upper));
+    CHECK(distance(alone.project(q, down), on_upper) < ROUNDING);
+  });
+}
+
+void a_projector_keeps_the_surface_as_it_was()
+{
+  auto m = std::make_unique<Mesh>(to_mesh<Mesh>(sphere(2)));
+  const Mesh as_it_was = *m;
+  auto original = std::make_unique<Projector>(*m);
+  const Projector copy = *original;
+  const Point p(.3, 1.2, -.7), expected = original->project(p);
+  for(const auto v : m->vertices())
+    m->point(v) = Point(9, 9, 9);
+  CHECK(original->project(p) == expected);
+  original.reset();
+  m.reset();
+  CHECK(copy.project(p) == expected);
+  CHECK(std::abs(distance(p, expected) - brute_force_distance(p, as_it_was)) < ROUNDING);
+}
+
+void threads_get_the_same_points()
+{
+  const Mesh m = to_mesh<Mesh>(torus(30, 20, .4));
+  std::vector<Point> queries;
+  for_random_points(-1.5, 1.5, 500, [&](const Point& p) { queries.push_back(p); });
+  const Projector once(m);
+  std::vector<Bits> expected;
+  for(const Point& p : queries)
+    expected.push_back(bits(once.project(p)));
+  const Projector shared(m);  // whose search tree the threads build
+  std::array<std::vector<Bits>, 4> found;
+  std::vector<std::thread> threads;
+  for(auto& result : found)
+    threads.emplace_back([&]() {
+      for(const Point& p : queries)
+        result.push_back(bits(shared.project(p)));
+    });
+  for(std::thread& t : threads)
+    t.join();
+  for(const auto& result : found)
+    CHECK(result == expected);
+}
+
+void a_projector_reads_the_live_point_of_a_vertex()
+{
+  Mesh m = to_mesh<Mesh>(square(4));
+  const Projector projector(m);
+  const Mesh::Vertex_index v(7);
+  m.point(v) = Point(.3, .4, .5);
+  CHECK(distance(projector(v), Point(.3, .4, 0)) < ROUNDING);
+  // or by a map
+  const auto lifted = to_mesh<Mesh>(square(4));
+  auto points = m.add_property_map<Mesh::Vertex_index, Point>("v:other").first;
+  for(const auto u : m.vertices())
+    points[u] = Point(lifted.point(u).x(), lifted.point(u).y(), 2);
+  const IAR::Closest_point_projector<Mesh, Mesh::Property_map<Mesh::Vertex_index, Point>> by_map(m, points);
+  points[v] = Point(.3, .4, .5);
+  CHECK(distance(by_map(v), Point(.3, .4, 2)) < ROUNDING);
+}
+
+void a_projector_serves_polygon_mesh_processing()
+{
+  const Mesh input = to_mesh<Mesh>(sphere(2));
+  Mesh m = input;
+  const IAR::Closest_point_projector<Mesh, Mesh::Property_map<Mesh::Vertex_index, Point>> projector(m, m.points());
+  CGAL::Polygon_mesh_processing::isotropic_remeshing(faces(m), .2, m,
+    parameters::number_of_iterations(2).projection_functor(std::cref(projector)));
+  CHECK(m.number_of_vertices() > input.number_of_vertices());
+  for(const auto v : m.vertices())
+    CHECK(brute_force_distance(m.point(v), input) < ROUNDING);
+}
+
+void a_projector_does_what_the_default_does()
+{
+  const Mesh input = uneven_mesh_with_a_border();
+  const Projector projector(input);
+  Mesh by_default = input, by_reference = input, by_value = input;
+  const Report a = IAR::isotropic_remeshing(.2, by_default);
+  const Report b = IAR::isotropic_remeshing(.2, by_reference, parameters::projection_functor(std::cref(projector)));
+  const Report c = IAR::isotropic_remeshing(.2, by_value, parameters::projection_functor(projector));
+  CHECK(Picture<Mesh>(by_reference) == Picture<Mesh>(by_value));
+  CHECK(b.output_faces == c.output_faces);
+  // a run is chaotic: the projector's faces are numbered otherwise, and the last bit decides where two are equally near
+  CHECK_MESSAGE(std::abs(double(a.output_faces) / double(b.output_faces) - 1) < .05, a.output_faces << ", " << b.output_faces);
+  CHECK_MESSAGE(std::abs(a.angles_after.average - b.angles_after.average) < .5,
+                a.angles_after.average << ", " << b.angles_after.average);
+  // a vertex lies on the surface or, where it was polished or could not be pulled back, near it
+  for(const Mesh* m : {&by_default, &by_reference})
+    for(const auto v : m->vertices())
+      CHECK(brute_force_distance(m->point(v), input) < .02 * .2);
+}
+
+// The projector of a whole mesh, for a part of it that is a hundredth as large.
+void a_projector_of_a_larger_surface_will_do()
+{
+  Mesh m = to_mesh<Mesh>(square(40));
+  const Mesh input = m;
+  const Projector projector(input);
+  std::vector<Mesh::Face_index> range;
+  for(const auto f : m.faces())
+    if(m.point(m.target(m.halfedge(f))).x() < .15 && m.point(m.target(m.halfedge(f))).y() < .15)
+      range.push_back(f);
+  const Report report = IAR::isotropic_remeshing(range, .01, m, parameters::projection_functor(std::cref(projector)));
+  CHECK(report.splits > 0);
+  for(const auto v : m.vertices())
+    CHECK(m.point(v).z() == 0);
+  CHECK(CGAL::is_valid_polygon_mesh(m));
+}
+
+void without_projection_vertices_leave_the_surface()
+{
+  const Mesh input = to_mesh<Mesh>(sphere(2));
+  IAR::Recipe recipe;
+  recipe.clean_up = false;
+  const auto farthest = [&](bool does_project)
+  {
+    Mesh m = input;
+    IAR::isotropic_remeshing(.25, m, IAR::recipe(recipe, parameters::do_project(does_project)));
+    double result = 0;
+    for(const auto v : m.vertices())
+      result = std::max(result, brute_force_distance(m.point(v), input));
+    return result;
+  };
+  CHECK(farthest(true) < ROUNDING);
+  // a vertex moves in the tangent plane of its star, which the chord of an edge leaves by l^2 / 8 = .008
+  CHECK(farthest(false) > 1e-4);
+}
+
+void a_functor_of_points_or_of_vertices_is_obeyed()
+{
+  // onto the round sphere
+  const auto lift = [](const Point& p)
+  {
+    const double r = distance(p, CGAL::ORIGIN);
+    return Point(p.x() / r, p.y() / r, p.z() / r);
+  };
+  IAR::Recipe recipe;
+  recipe.clean_up = false;
+  Mesh by_points = to_mesh<Mesh>(sphere(2)), by_vertices = by_points;
+  IAR::isotropic_remeshing(.25, by_points, IAR::recipe(recipe, parameters::projection_functor(lift)));
+  IAR::isotropic_remeshing(.25, by_vertices, IAR::recipe(recipe,
+    parameters::projection_functor([&](Mesh::Vertex_index v) { return lift(by_vertices.point(v)); })));
+  CHECK(Picture<Mesh>(by_points) == Picture<Mesh>(by_vertices));
+  for(const auto v : by_points.vertices())
+    CHECK(std::abs(distance(by_points.point(v), CGAL::ORIGIN) - 1) < ROUNDING);
+}
+
+void a_projector_needs_a_surface()
+{
+  Mesh isolated;
+  isolated.add_vertex(Point(1, 2, 3));
+  check_refused(isolated, "has no face", [](Mesh& g) { Projector projector(g); });
+  Mesh empty;
+  check_refused(empty, "has no face", [](Mesh& g) { Projector projector(g); });
+  // degenerate faces are a surface of their own kind
+  const Projector line(to_mesh<Mesh>(Soup{{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}}, {{0, 1, 2}}}));
+  CHECK(distance(line.project(Point(2, 1, 0)), Point(2, 0, 0)) < ROUNDING);
+}
+
+// --- the length for a number of faces ----------------------------------------------------------------------------
+
+void the_length_follows_from_area_and_count()
+{
+  // n triangles of area sqrt(3) / 4 l^2, and edges 3.1% shorter than the target
+  const auto expected = [](double area, double n) { return 1.031 * std::sqrt(4 * area / (std::sqrt(3.) * n)); };
+  for(const double scale : {1., 1e-50, 1e50})
+  {
+    const Mesh m = to_mesh<Mesh>(cube(3).scaled(scale));
+    const double length = IAR::target_edge_length(faces(m), m, 1000);
+    CHECK(std::abs(length / (scale * expected(6, 1000)) - 1) < ROUNDING);
+    std::vector<Mesh::Face_index> side;
+    for(const auto f : m.faces())
+      if(std::all_of(CGAL::vertices_around_face(m.halfedge(f), m).begin(),
+                     CGAL::vertices_around_face(m.halfedge(f), m).end(),
+                     [&](Mesh::Vertex_index v) { return m.point(v).x() == 0; }))
+        side.push_back(f);
+    CHECK(side.size() == 2 * 3 * 3);
+    CHECK(std::abs(IAR::target_edge_length(side, m, 50) / (scale * expected(1, 50)) - 1) < ROUNDING);
+  }
+  const Polyhedron p = to_mesh<Polyhedron>(cube(2));
+  CHECK(std::abs(IAR::target_edge_length(faces(p), p, 7) / expected(6, 7) - 1) < ROUNDING);
+}
+
+void a_number_of_faces_can_be_wished_for()
+{
+  Mesh m = to_mesh<Mesh>(torus(20, 10, .4));
+  const Report report = IAR::isotropic_remeshing(IAR::Face_count(2000), m);
+  // 2% on closed surfaces, as documented, and the length is told
+  CHECK_MESSAGE(report.output_faces > 1960 && report.output_faces < 2040, report.output_faces);
+  CHECK(report.target_edge_length > 0);
+}
+
+int main()
+{
+  refusals_hold_in_release_builds();
+  faces_that_are_no_triangles_are_refused<Mesh>();
+  faces_that_are_no_triangles_are_refused<Polyhedron>();
+  coordinates_that_are_not_finite_are_refused();
+  a_range_that_is_one_point_is_refused();
+  lengths_that_are_none_are_refused();
+  lengths_that_make_too_many_faces_are_refused();
+  no_faces_are_refused_as_a_wish();
+  parameters_out_of_their_range_are_refused();
+  counts_that_do_not_fit_are_refused();
+  recipes_out_of_range_are_refused();
+  vertices_with_too_many_faces_are_refused();
+  doubled_edges_are_refused_only_where_they_are_protected();
+  an_empty_range_is_nothing_to_do();
+  no_iteration_is_nothing_to_do();
+  a_projection_that_is_not_finite_ends_the_run();
+
+  progress_rises_from_0_to_1();
+  a_run_can_be_cancelled_after_each_pass<Mesh>();
+  a_run_can_be_cancelled_after_each_pass<Polyhedron>();
+  pass_names_are_distinct();
+  a_visitor_is_told_everything_in_order();
+  a_visitor_can_be_copied_in();
+  a_report_agrees_with_the_mesh();
+  verbose_prints_a_line_an_iteration();
+  without_relaxation_steps_nothing_is_relaxed();
+  with_length_0_nothing_is_split_or_collapsed();
+
+  points_fall_onto_a_square();
+  points_fall_onto_a_cube();
+  points_fall_where_brute_force_says();
+  a_sheet_that_looks_the_same_way_wins();
+  a_projector_keeps_the_surface_as_it_was();
+  threads_get_the_same_points();
+  a_projector_reads_the_live_point_of_a_vertex();
+  a_projector_serves_polygon_mesh_processing();
+  a_projector_does_what_the_default_does();
+  a_projector_of_a_larger_surface_will_do();
+  without_projection_vertices_leave_the_surface();
+  a_functor_of_points_or_of_vertices_is_obeyed();
+  a_projector_needs_a_surface();
+
+  the_length_follows_from_area_and_count();
+  a_number_of_faces_can_be_wished_for();
+  return result();
+}
