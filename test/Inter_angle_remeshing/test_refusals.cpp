@@ -691,6 +691,19 @@ void with_length_0_nothing_is_split_or_collapsed()
   CHECK(CGAL::is_valid_polygon_mesh(m));
 }
 
+// A face without a height is as long as many target lengths, and about as many faces come of it: not as many as of a
+// triangle with three sides of that length, 20^2, nor more and more from round to round.
+void needles_do_not_multiply()
+{
+  for(const double height : {0., 1e-6, 1e-3})
+  {
+    Mesh m = to_mesh<Mesh>(Soup{{{0, 0, 0}, {1, 0, 0}, {.5, height, 0}}, {{0, 1, 2}}});
+    const Report report = IAR::isotropic_remeshing(.05, m);
+    CHECK_MESSAGE(report.output_faces > 10 && report.output_faces < 4 * 20, report.output_faces << " at height " << height);
+    CHECK(CGAL::is_valid_polygon_mesh(m));
+  }
+}
+
 // --- the projector -----------------------------------------------------------------------------------------------
 
 // The distance from a point to a mesh, triangle by triangle.
@@ -999,6 +1012,7 @@ int main()
   verbose_prints_a_line_an_iteration();
   without_relaxation_steps_nothing_is_relaxed();
   with_length_0_nothing_is_split_or_collapsed();
+  needles_do_not_multiply();
 
   points_fall_onto_a_square();
   points_fall_onto_a_cube();

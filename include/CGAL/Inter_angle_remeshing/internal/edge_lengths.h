@@ -37,13 +37,16 @@ std::vector<Remeshing_mesh::Index> edges_out_of(const Remeshing_mesh& mesh, doub
   return found;
 }
 
+// Of the edges that may be split: a protected one stays as long as it is.
 inline double squared_longest_edge(const Remeshing_mesh& mesh)
 {
   double longest = 0;
   for (std::size_t f = 0; f < mesh.number_of_face_slots(); ++f)
     if (mesh.is_face(Remeshing_mesh::Index(f)))
-      for (int k = 0; k < 3; ++k)
-        longest = (std::max)(longest, mesh.squared_edge_length(Remeshing_mesh::Index(4 * f + k)));
+      for (int k = 0; k < 3; ++k) {
+        const Remeshing_mesh::Index h = Remeshing_mesh::Index(4 * f + k);
+        if (mesh.is_split_legal(h)) longest = (std::max)(longest, mesh.squared_edge_length(h));
+      }
   return longest;
 }
 
