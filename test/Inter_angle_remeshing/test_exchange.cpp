@@ -252,6 +252,7 @@ void check_graph(const Flat& mesh)
   for(const auto f : faces(mesh))
     CHECK(face(halfedge(f, mesh), mesh) == f);
   CHECK(CGAL::is_triangle_mesh(mesh));
+  CHECK(CGAL::is_valid_polygon_mesh(mesh));
 }
 
 // The number of half-edges in each cycle of the border, sorted.

@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_VECTOR3_H
 
 #include <cmath>
+#include <initializer_list>
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
