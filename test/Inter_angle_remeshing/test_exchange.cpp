@@ -1556,9 +1556,7 @@ void constraints_are_kept()
   patches_keep_their_faces<Graph>(false);
   marked_vertices_stay<Graph>();
   protected_edges_are_left_alone<Graph>();
-  // Known to fail: faces beside protected edges of several target lengths are split until they are flat.
-  // protected_edges_may_be_much_longer_than_the_target<Graph>();
-  (void)&protected_edges_may_be_much_longer_than_the_target<Graph>;
+  protected_edges_may_be_much_longer_than_the_target<Graph>();
   constrained_edges_need_not_be_collapsed<Graph>();
 }
 

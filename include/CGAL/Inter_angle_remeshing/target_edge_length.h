@@ -45,8 +45,8 @@ inline double length_for_face_count(double area, std::size_t n)
 @brief returns the target edge length with which `isotropic_remeshing()` yields about `n` faces.
 
 Source: a surface of area A is covered by F equilateral triangles of edge l = √(4A / (√3 F)); the length is corrected
-by what the remesher was measured to yield. Within about 2% on closed surfaces that are refined or keep their number of
-faces; less exact the more a surface is coarsened, where `Face_count` comes nearer, for it steers during the run.
+by what the remesher was measured to yield. Measured on closed surfaces that are refined or keep their number of faces: 0 to 8%
+too many; less exact the more a surface is coarsened. `Face_count` comes nearer, for it steers during the run.
 Complexity: linear in the number of faces of the range.
 
 @tparam FaceRange a model of `ConstRange` with the faces of `TriangleMesh` as value type

@@ -106,14 +106,13 @@ private:
       std::size_t count = 0;
       // A round halves the edges; as a rule one will do, and the iterations to come make the next ones. Towards the
       // end what is still far too long is split at once, round after round.
-      const unsigned rounds = is_late() ? split_rounds() : 1;
-      for (unsigned round = 0; round < rounds; ++round) {
+      for (unsigned round = 0; round < MAXIMUM_SPLIT_ROUNDS; ++round) {
         std::vector<Remeshing_mesh::Index> long_edges;
         short_edges.clear();
         sort_by_length(long_edges, short_edges, is_never_split, is_never_collapsed);
         const std::size_t splits = split_pass<ConcurrencyTag>(context_, long_edges, short_edges);
         count += splits;
-        if (splits == 0 || !has_far_too_long_edges()) break;
+        if (splits == 0 || !is_late() || !has_far_too_long_edges()) break;
       }
       return count;
     });
@@ -127,14 +126,6 @@ private:
     const double high = is_never_split ? inf : context_.squared_length_limit();
     for (const Remeshing_mesh::Index h : edges_out_of<ConcurrencyTag>(mesh_, low, high))
       (mesh_.squared_edge_length(h) < low ? short_edges : long_edges).push_back(h);
-  }
-
-  // A round halves the longest edge. More rounds than that takes would only flatten the faces beside protected edges,
-  // which stay long.
-  unsigned split_rounds() const
-  {
-    const double ratio = squared_longest_edge(mesh_) / context_.squared_length_limit();
-    return 1 + unsigned((std::max)(0., std::ceil(std::log2((std::min)(ratio, 1e300)) / 2)));
   }
 
   bool has_far_too_long_edges() const
@@ -223,6 +214,8 @@ private:
 
   void steer_to_face_count(double first_target_length);
   void print_iteration() const;
+
+  static constexpr unsigned MAXIMUM_SPLIT_ROUNDS = 64;
 
   Context& context_;
   Remeshing_mesh& mesh_;

@@ -61,6 +61,17 @@ void project_split_vertices(Context& context, const std::vector<Split_vertex>& s
   }
 }
 
+// Whether a triangle at the edge of h has an edge more than 1.5 times as long. That one goes first; or it is protected, and
+// to halve the others, round by round, would only make the triangle flat. Needles, too, would multiply.
+inline bool is_beside_much_longer_edge(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  const double bound = 2.25 * mesh.squared_edge_length(h);
+  for (const Remeshing_mesh::Index side : {h, mesh.opposite(h)})
+    if (side >= 0 && (mesh.squared_edge_length(mesh.next(side)) > bound ||
+                      mesh.squared_edge_length(mesh.prev(side)) > bound)) return true;
+  return false;
+}
+
 // Splits the edges of `long_edges` as far as they are still too long; appends short edges at new vertices to
 // `short_edges`. Returns the number of splits.
 template <class ConcurrencyTag, class Context>
@@ -75,7 +86,8 @@ std::size_t split_pass(Context& context, std::vector<Remeshing_mesh::Index>& lon
   std::vector<Split_vertex> split;
   evaluate_then_apply<ConcurrencyTag>(mesh, long_edges,
     [&](Index h) -> bool {
-      if (!(mesh.squared_edge_length(h) > limit) || !mesh.is_split_legal(h)) return false;
+      if (!(mesh.squared_edge_length(h) > limit) || !mesh.is_split_legal(h) || is_beside_much_longer_edge(mesh, h))
+        return false;
       const Vector3 p = midpoint(h);
       return p != mesh.position(mesh.origin(h)) && p != mesh.position(mesh.target(h)) && context.permits_split(h);
     },
