@@ -1501,23 +1501,29 @@ void protected_edges_are_left_alone()
   }
 }
 
-// Triangles beside an edge that is not split must not be split until they are flat, round by round.
+// Triangles beside an edge that is not split must not be split until they are flat, round by round, nor be flattened
+// afterwards.
 template <class Graph>
 void protected_edges_may_be_much_longer_than_the_target()
 {
-  for(const double length : {.04, .02})
-    for(const bool is_whole : {true, false})
-    {
-      Workpiece<Graph> w(square(8));  // edges of 1/8
-      w.protects = is_whole;          // of a part, the edges towards the rest are protected anyhow
-      w.iterations = 10;
-      const auto range = is_whole ? all_faces(w.mesh) : faces_where(w.mesh, [](const Point& p) { return p.x() > .5; });
-      const Report report = w.remesh(range, length);
-      CHECK_MESSAGE(report.angles_after.minimum > 1, report.angles_after.minimum << " degrees");
-      std::set<Bits> points;
-      for(const auto v : vertices(w.mesh))
-        CHECK(points.insert(bits(w.point(v))).second);
-    }
+  for(const std::size_t squares : {2, 8})
+    for(const double ratio : {3., 6., 12.})
+      for(const unsigned iterations : {1, 5, 10})
+        for(const bool is_whole : {true, false})
+        {
+          Workpiece<Graph> w(square(squares));
+          w.protects = is_whole;          // of a part, the edges towards the rest are protected anyhow
+          w.iterations = iterations;
+          const auto range =
+            is_whole ? all_faces(w.mesh) : faces_where(w.mesh, [](const Point& p) { return p.x() > .5; });
+          const Report report = w.remesh(range, 1 / (ratio * double(squares)));
+          CHECK_MESSAGE(report.angles_after.minimum > 5,
+                        squares << " squares, " << iterations << " iterations, edges " << ratio
+                                << " times as long as the target: " << report.angles_after.minimum << " degrees");
+          std::set<Bits> points;
+          for(const auto v : vertices(w.mesh))
+            CHECK(points.insert(bits(w.point(v))).second);
+        }
 }
 
 template <class Graph>

@@ -82,9 +82,8 @@ private:
     const unsigned i = report_.iterations;
     passes_ = 0;
     context_.visitor.start_iteration(i, mesh_);
-    std::vector<Remeshing_mesh::Index> short_edges;
-    if (goes_on()) split(short_edges);
-    if (goes_on()) collapse(short_edges);
+    if (is_late()) refine();
+    split_and_collapse();
     if (i < orderings()) mesh_.renumber<ConcurrencyTag>(morton_order(mesh_));
     for (unsigned round = 0; round < flip_rounds() && goes_on(); ++round) flip();
     if (goes_on()) relax();
@@ -98,46 +97,44 @@ private:
   // More than one round pays only where splits and collapses no longer stir up the valences.
   unsigned flip_rounds() const { return is_late() ? recipe_.flip_rounds : (std::min)(1u, recipe_.flip_rounds); }
 
-  void split(std::vector<Remeshing_mesh::Index>& short_edges)
+  // Splits halve edges, once an iteration. What is far too long even when the last iterations begin goes through as
+  // many short iterations as it takes, so that those find a mesh of about the target length. Each should halve the
+  // longest edge; where policies do not let it, the rounds end all the same.
+  void refine()
   {
-    if (!(context_.target_length > 0)) return;
-    const bool is_never_split = is_never(context_.split_policy), is_never_collapsed = is_never(context_.collapse_policy);
-    run_pass(Pass::split, report_.splits, [&]() {
-      std::size_t count = 0;
-      // A round halves the edges; as a rule one will do, and the iterations to come make the next ones. Towards the
-      // end what is still far too long is split at once, round after round.
-      for (unsigned round = 0; round < MAXIMUM_SPLIT_ROUNDS; ++round) {
-        std::vector<Remeshing_mesh::Index> long_edges;
-        short_edges.clear();
-        sort_by_length(long_edges, short_edges, is_never_split, is_never_collapsed);
-        const std::size_t splits = split_pass<ConcurrencyTag>(context_, long_edges, short_edges);
-        count += splits;
-        if (splits == 0 || !is_late() || !has_far_too_long_edges()) break;
-      }
-      return count;
-    });
+    for (int round = halvings_to_do(); round > 0 && goes_on() && halvings_to_do() > 0; --round) {
+      if (split_and_collapse() == 0) return;
+      if (goes_on() && !is_never(context_.flip_policy))
+        run_pass(Pass::flip, report_.flips, [&]() { return flip_pass<ConcurrencyTag>(context_); });
+      if (goes_on()) relax(recipe_.sweeps, Pull_back::after_last_sweep);
+    }
   }
 
-  void sort_by_length(std::vector<Remeshing_mesh::Index>& long_edges, std::vector<Remeshing_mesh::Index>& short_edges,
-                      bool is_never_split, bool is_never_collapsed) const
+  // How often the longest edge must be halved until the split pass of an iteration can make the rest of the way.
+  int halvings_to_do() const
   {
+    if (!(context_.target_length > 0) || is_never(context_.split_policy)) return 0;
+    const double ratio = std::sqrt(squared_longest_edge(mesh_) / context_.squared_length_limit());
+    return ratio > 2 ? 1 + int(std::log2(ratio)) : 0;
+  }
+
+  // Returns the number of splits.
+  std::size_t split_and_collapse()
+  {
+    if (!goes_on() || !(context_.target_length > 0)) return 0;
     constexpr double inf = std::numeric_limits<double>::infinity();
-    const double low = is_never_collapsed ? 0 : context_.squared_shortness_limit();
-    const double high = is_never_split ? inf : context_.squared_length_limit();
-    for (const Remeshing_mesh::Index h : edges_out_of<ConcurrencyTag>(mesh_, low, high))
-      (mesh_.squared_edge_length(h) < low ? short_edges : long_edges).push_back(h);
-  }
-
-  bool has_far_too_long_edges() const
-  {
-    return !is_never(context_.split_policy) &&
-           squared_longest_edge(mesh_) > 4 * context_.squared_length_limit();
-  }
-
-  void collapse(std::vector<Remeshing_mesh::Index>& short_edges)
-  {
-    if (!(context_.target_length > 0) || is_never(context_.collapse_policy)) return;
-    run_pass(Pass::collapse, report_.collapses, [&]() { return collapse_pass<ConcurrencyTag>(context_, short_edges); });
+    const double low = is_never(context_.collapse_policy) ? 0 : context_.squared_shortness_limit();
+    const double high = is_never(context_.split_policy) ? inf : context_.squared_length_limit();
+    std::vector<Remeshing_mesh::Index> long_edges, short_edges;
+    std::size_t splits = 0;
+    run_pass(Pass::split, report_.splits, [&]() {
+      for (const Remeshing_mesh::Index h : edges_out_of<ConcurrencyTag>(mesh_, low, high))
+        (mesh_.squared_edge_length(h) < low ? short_edges : long_edges).push_back(h);
+      return splits = split_pass<ConcurrencyTag>(context_, long_edges, short_edges);
+    });
+    if (goes_on() && !is_never(context_.collapse_policy))
+      run_pass(Pass::collapse, report_.collapses, [&]() { return collapse_pass<ConcurrencyTag>(context_, short_edges); });
+    return splits;
   }
 
   void flip()
@@ -198,7 +195,7 @@ private:
     context_.visitor.end_pass(pass, mesh_, count);
     if (!schedule_.callback) return;
     const double passes_an_iteration = 3. + 2. * flip_rounds();
-    const double done = (report_.iterations + ++passes_ / passes_an_iteration) / schedule_.iterations;
+    const double done = (report_.iterations + (std::min)(1., ++passes_ / passes_an_iteration)) / schedule_.iterations;
     if (!schedule_.callback((std::min)(done, 1.))) report_.ending = Remeshing_report::Ending::cancelled;
   }
 
@@ -214,8 +211,6 @@ private:
 
   void steer_to_face_count(double first_target_length);
   void print_iteration() const;
-
-  static constexpr unsigned MAXIMUM_SPLIT_ROUNDS = 64;
 
   Context& context_;
   Remeshing_mesh& mesh_;

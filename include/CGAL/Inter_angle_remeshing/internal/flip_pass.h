@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/evaluate_then_apply.h>
+#include <CGAL/Inter_angle_remeshing/internal/thin_angles.h>
 
 #include <algorithm>
 #include <vector>
@@ -19,9 +20,6 @@ namespace internal {
 
 // Smallest cosine between the normal of a face that a flip makes and the sum of the two faces' normals: 45 degrees.
 constexpr double FLIP_NORMAL_COSINE = 0.7;
-// Beside a curve, whose vertices do not move away from a bad face, a flip must not make an angle under 20 degrees
-// that is smaller than the smallest one before. (Cosine of that angle.)
-constexpr double CURVE_ANGLE_COSINE = 0.9396926207859084;
 
 // By how much a flip changes the sum of the squared valence deviations: two ends lose an edge, the apexes gain one.
 inline int flip_gain(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
@@ -29,12 +27,6 @@ inline int flip_gain(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
   const Remeshing_mesh::Index o = mesh.opposite(h);
   return 4 + 2 * (mesh.deviation(mesh.apex(h)) + mesh.deviation(mesh.apex(o)) -
                   mesh.deviation(mesh.origin(h)) - mesh.deviation(mesh.origin(o)));
-}
-
-// The largest corner cosine of a triangle: that of its smallest angle.
-inline double smallest_angle_cosine(const Vector3& a, const Vector3& b, const Vector3& c)
-{
-  return (std::max)({corner_cosine(a, b, c), corner_cosine(b, c, a), corner_cosine(c, a, b)});
 }
 
 inline bool is_flip_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
@@ -46,9 +38,9 @@ inline bool is_flip_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
   if (!is_cosine_at_least(triangle_cross(a, d, c), sum, FLIP_NORMAL_COSINE) ||
       !is_cosine_at_least(triangle_cross(d, b, c), sum, FLIP_NORMAL_COSINE)) return false;
   if (std::none_of(v, v + 4, [&](Remeshing_mesh::Index u) { return mesh.is_on_curve(u); })) return true;
-  const double after = (std::max)(smallest_angle_cosine(a, d, c), smallest_angle_cosine(d, b, c));
-  return after <= CURVE_ANGLE_COSINE ||
-         after <= (std::max)(smallest_angle_cosine(a, b, c), smallest_angle_cosine(b, a, d));
+  return !makes_thin_angle(
+    (std::min)(squared_sine_of_smallest_angle(a, b, c), squared_sine_of_smallest_angle(b, a, d)),
+    (std::min)(squared_sine_of_smallest_angle(a, d, c), squared_sine_of_smallest_angle(d, b, c)));
 }
 
 template <class Context>

@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/thin_angles.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -107,6 +108,17 @@ private:
     return sum;
   }
 
+  // The squared sine of the smallest angle of the star if v lay at p.
+  double smallest_angle(Index v, const Vector3& p) const
+  {
+    double smallest = 1;
+    mesh_.for_each_around(v, [&](Index h) {
+      smallest = (std::min)(smallest, squared_sine_of_smallest_angle(p, mesh_.position(mesh_.target(h)),
+                                                                     mesh_.position(mesh_.apex(h))));
+    });
+    return smallest;
+  }
+
   // The unit normal of the star; zero where it has none.
   Vector3 star_normal(Index v) const
   {
@@ -144,7 +156,8 @@ private:
       Index hint = mesh_.hint(v);
       const Vector3 q = context_.projector(mesh_.position(v) - (step / slope) * g, hint);
       if (!context_.projector.is_compatible(hint, normal) || !(energy(v, q) < before) ||
-          !keeps_orientation(mesh_, v, q)) continue;
+          !keeps_orientation(mesh_, v, q) ||
+          makes_thin_angle(smallest_angle(v, mesh_.position(v)), smallest_angle(v, q))) continue;
       mesh_.position(v) = q;
       mesh_.hint(v) = hint;
       queue(v);

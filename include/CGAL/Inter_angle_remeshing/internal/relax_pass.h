@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
 #include <CGAL/Inter_angle_remeshing/internal/Sweep_data.h>
 #include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
+#include <CGAL/Inter_angle_remeshing/internal/thin_angles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,6 +90,8 @@ private:
   template <class Projector>
   void sweep(std::size_t begin, std::size_t end, unsigned number, const Projector& projector);
   bool turns_no_face(std::size_t i, const Vector3& q) const;
+  double smallest_angle(std::size_t i, const Vector3& p) const;
+  bool makes_thin_face(std::size_t i, const Vector3& q) const;
   void take_step(std::size_t i, const Vector3& step);
   template <class Projector>
   void take_guarded_step(std::size_t i, const Vector3& step, const Projector& projector);
@@ -254,6 +257,31 @@ inline bool Relaxation::turns_no_face(std::size_t i, const Vector3& q) const
   return true;
 }
 
+// The squared sine of the smallest angle of the faces around vertex i if it lay at p.
+inline double Relaxation::smallest_angle(std::size_t i, const Vector3& p) const
+{
+  const int n = data_.valence(i);
+  const Index* ring = data_.ring(i);
+  double smallest = 1;
+  Vector3 previous = data_.position[ring[n - 1]];
+  double previous_length = squared_distance(p, previous);
+  for (int k = 0; k < n; ++k) {
+    const Vector3 current = data_.position[ring[k]];
+    const double length = squared_distance(p, current);
+    smallest = (std::min)(smallest, squared_sine_of_smallest_angle(
+      squared_length(triangle_cross(p, previous, current)), previous_length, length, squared_distance(previous, current)));
+    previous = current;
+    previous_length = length;
+  }
+  return smallest;
+}
+
+inline bool Relaxation::makes_thin_face(std::size_t i, const Vector3& q) const
+{
+  const double after = smallest_angle(i, q);
+  return after < THIN_SQUARED_SINE && makes_thin_angle(smallest_angle(i, data_.position[i]), after);
+}
+
 inline void Relaxation::take_step(std::size_t i, const Vector3& step)
 {
   const bool is_safe = squared_length(step) <= safe_step_[i];
@@ -274,7 +302,7 @@ void Relaxation::take_guarded_step(std::size_t i, const Vector3& step, const Pro
   for (int trial = 0; trial < STEP_TRIALS; ++trial, factor /= 2) {
     Index hint = data_.hint[i];
     const Vector3 q = projector(data_.position[i] + factor * step, hint);
-    if (!projector.is_compatible(hint, normal_[i]) || !turns_no_face(i, q)) continue;
+    if (!projector.is_compatible(hint, normal_[i]) || !turns_no_face(i, q) || makes_thin_face(i, q)) continue;
     data_.position[i] = q;
     data_.hint[i] = hint;
     return;

@@ -61,8 +61,8 @@ void project_split_vertices(Context& context, const std::vector<Split_vertex>& s
   }
 }
 
-// Whether a triangle at the edge of h has an edge more than 1.5 times as long. That one goes first; or it is protected, and
-// to halve the others, round by round, would only make the triangle flat. Needles, too, would multiply.
+// Whether a triangle at the edge of h has an edge more than 1.5 times as long. That one goes first, or needles would
+// multiply; where it is protected, to halve the others would only make the triangle flat.
 inline bool is_beside_much_longer_edge(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
   const double bound = 2.25 * mesh.squared_edge_length(h);

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_THIN_ANGLES_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_THIN_ANGLES_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Vector3.h>
+
+#include <algorithm>
+
+// Where vertices cannot get out of the way, beside curves and at sharp edges, a thin face stays. There no operation may
+// make an angle under 20 degrees that is smaller than the smallest one before.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Squared sine of 20 degrees.
+constexpr double THIN_SQUARED_SINE = 0.116977778440511;
+
+// The smallest angle of a triangle lies between its two longest edges. Its squared sine, for the squared lengths of the
+// cross product and of the edges; 0 where the triangle has shrunk to a point.
+inline double squared_sine_of_smallest_angle(double cross_product, double x, double y, double z)
+{
+  const double longest = (std::max)({x * y, y * z, z * x});
+  return longest > 0 ? cross_product / longest : 0.;
+}
+
+inline double squared_sine_of_smallest_angle(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  return squared_sine_of_smallest_angle(squared_length(triangle_cross(a, b, c)), squared_distance(a, b),
+                                        squared_distance(b, c), squared_distance(c, a));
+}
+
+// By the squared sines of the smallest angle before and after an operation.
+inline bool makes_thin_angle(double before, double after) { return after < THIN_SQUARED_SINE && after < before; }
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_THIN_ANGLES_H
