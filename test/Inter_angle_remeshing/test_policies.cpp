@@ -450,7 +450,9 @@ void the_degree_judgment_yields_to_length()
   CHECK(permits(yields_late, crowded, 3.5));
   const IAR::Inter_angle_collapse_policy<> never_yields(false, true, IAR::Permit_all(), 0);
   CHECK(!permits(never_yields, crowded, 1e9));
-  // the boundary condition does not
+  // where no target length is known, it does not yield
+  CHECK(!permits(judging, crowded, std::numeric_limits<double>::infinity()));
+  // the boundary condition never does
   CHECK(!IAR::Inter_angle_collapse_policy<>(true, false)(Case(crowded).profile(SOURCE, LEFT, 1e9)));
 }
 

@@ -140,7 +140,9 @@ public:
   double length() const { return internal::length(position(target()) - position(source())) / scale_; }
   /// the length that the edge should have, in the user's units; infinite where none is known
   double target_length() const { return target_length_; }
-  /// `length()` divided by `target_length()`
+  /// whether a target length is known
+  bool has_target_length() const { return std::isfinite(target_length_); }
+  /// `length()` divided by `target_length()`; 0 where that is not known
   double relative_length() const { return length() / target_length_; }
 
   /// @}

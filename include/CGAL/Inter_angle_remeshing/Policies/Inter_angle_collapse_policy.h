@@ -57,7 +57,8 @@ public:
     if (!base_(profile)) return false;
     if (has_boundary_condition_ && (profile.is_border(profile.source()) || profile.is_border(profile.target())))
       return false;
-    return !has_degree_judgment_ || profile.relative_length() < yield_ratio_ || improves_mean_angle(profile);
+    const bool yields = profile.has_target_length() && profile.relative_length() < yield_ratio_;
+    return !has_degree_judgment_ || yields || improves_mean_angle(profile);
   }
 
 private:

@@ -82,8 +82,7 @@ private:
     const unsigned i = report_.iterations;
     passes_ = 0;
     context_.visitor.start_iteration(i, mesh_);
-    if (is_late()) refine();
-    split_and_collapse();
+    if (split_and_collapse() > 0 && is_late()) refine();
     if (i < orderings()) mesh_.renumber<ConcurrencyTag>(morton_order(mesh_));
     for (unsigned round = 0; round < flip_rounds() && goes_on(); ++round) flip();
     if (goes_on()) relax();
@@ -97,20 +96,20 @@ private:
   // More than one round pays only where splits and collapses no longer stir up the valences.
   unsigned flip_rounds() const { return is_late() ? recipe_.flip_rounds : (std::min)(1u, recipe_.flip_rounds); }
 
-  // Splits halve edges, once an iteration. What is far too long even when the last iterations begin goes through as
-  // many short iterations as it takes, so that those find a mesh of about the target length. Each should halve the
-  // longest edge; where policies do not let it, the rounds end all the same.
+  // An iteration halves edges. What is far too long even when the last iterations begin goes through as many short
+  // ones as it takes, so that those work on a mesh of about the target length. Each should halve the longest edge;
+  // where policies do not let it, the rounds end all the same.
   void refine()
   {
     for (int round = halvings_to_do(); round > 0 && goes_on() && halvings_to_do() > 0; --round) {
-      if (split_and_collapse() == 0) return;
-      if (goes_on() && !is_never(context_.flip_policy))
+      if (!is_never(context_.flip_policy))
         run_pass(Pass::flip, report_.flips, [&]() { return flip_pass<ConcurrencyTag>(context_); });
       if (goes_on()) relax(recipe_.sweeps, Pull_back::after_last_sweep);
+      if (split_and_collapse() == 0) return;
     }
   }
 
-  // How often the longest edge must be halved until the split pass of an iteration can make the rest of the way.
+  // How often the longest edge must be halved until it is no longer far too long.
   int halvings_to_do() const
   {
     if (!(context_.target_length > 0) || is_never(context_.split_policy)) return 0;

@@ -196,7 +196,7 @@ public:
 
   // --- the three operations -----------------------------------------------------------------------------------
 
-  // Replaces the edge of h by the other diagonal; next(h) becomes that diagonal, from apex(h) to apex(opposite(h)).
+  // Replaces the edge of h by the other diagonal; next(h) becomes that diagonal, towards what was apex(h).
   void flip(Index h);
   // Puts a vertex at `p` on the edge of h; returns it.
   Index split(Index h, const Vector3& p);

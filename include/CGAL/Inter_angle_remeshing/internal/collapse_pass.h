@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/closest_point_on_triangle.h>
+#include <CGAL/Inter_angle_remeshing/internal/curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/evaluate_then_apply.h>
 
 #include <algorithm>
@@ -62,17 +63,10 @@ inline Curve_collapse curve_collapse(const Remeshing_mesh& mesh, Remeshing_mesh:
   const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
   Curve_collapse result;
   int curve_edges = 0;
-  Index last = -1;
-  const auto count = [&](Index u, bool is_on_curve) {
-    if (!is_on_curve) return;
+  for_each_curve_neighbor(mesh, a, [&](Index, Index u) {
     ++curve_edges;
     if (u != b) result.other = u;
-  };
-  mesh.for_each_around(a, [&](Index k) {
-    count(mesh.target(k), mesh.is_on_curve_edge(k));
-    last = k;
   });
-  if (mesh.is_border_vertex(a)) count(mesh.apex(last), true);
   if (curve_edges != 2 || result.other < 0) return Curve_collapse();
   const double moved = squared_distance_to_segment(mesh.position(a), mesh.position(b), mesh.position(result.other));
   result.error = mesh.curve_error(a) + std::sqrt(moved);

@@ -5,6 +5,7 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_CONSTRAINTS_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_CONSTRAINTS_H
 
+#include <CGAL/Inter_angle_remeshing/internal/curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh_exchange.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -25,9 +26,6 @@ struct No_map {};
 template <class Map>
 constexpr bool is_given(const Map&) { return !std::is_same<Map, No_map>::value; }
 
-// A chain of border or feature edges that turns by this angle or more has a corner there. (Cosine of 45 degrees.)
-constexpr double CORNER_COSINE = 0.7071067811865476;
-
 struct Constraint_settings
 {
   double sharpness_cosine;    // edges with a smaller dihedral cosine are features; under -1: none
@@ -44,30 +42,6 @@ inline bool is_sharp(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, double
   const Vector3 m = cross_product(h), n = cross_product(mesh.opposite(h));
   const double product = squared_length(m) * squared_length(n);
   return product > 0 && dot(m, n) < cosine * std::sqrt(product);
-}
-
-// Locks the corners of curves: ends, junctions, turns, and where a constrained part of the border begins.
-inline void lock_corners(Remeshing_mesh& mesh)
-{
-  using Index = Remeshing_mesh::Index;
-  for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
-    if (!mesh.is_on_curve(v)) continue;
-    std::vector<Vector3> directions;
-    int constrained = 0;
-    const auto add = [&](Index h, Index u) {
-      directions.push_back(mesh.position(u) - mesh.position(v));
-      constrained += mesh.is_constrained(h);
-    };
-    Index last = -1;
-    mesh.for_each_around(v, [&](Index h) {
-      if (mesh.is_on_curve_edge(h)) add(h, mesh.target(h));
-      last = h;
-    });
-    if (mesh.is_border_vertex(v)) add(mesh.prev(last), mesh.apex(last));
-    if (directions.size() != 2 || constrained == 1 ||
-        !is_cosine_at_least(directions[0], -1. * directions[1], CORNER_COSINE))
-      mesh.add_marks(v, Remeshing_mesh::LOCKED);
-  }
 }
 
 template <class Exchange, class EdgeIsConstrainedMap, class VertexIsConstrainedMap, class PatchMap, class TriangleMesh>

@@ -87,7 +87,7 @@ struct Point_functor_projection
 };
 
 // By a functor of the user's that takes a vertex and reads its point. One vertex of the range carries the points of
-// all the others to it; its own point comes back when this object goes, whatever happens.
+// all the others to it; its own point comes back with restore(), or when this object goes without it.
 template <class Functor, class Vertex, class VertexPointMap>
 class Vertex_functor_projection
 {
@@ -101,7 +101,11 @@ public:
   {}
   Vertex_functor_projection(const Vertex_functor_projection&) = delete;
   Vertex_functor_projection& operator=(const Vertex_functor_projection&) = delete;
-  ~Vertex_functor_projection() { put(vpm_, carrier_, point_); }
+  ~Vertex_functor_projection()
+  {
+    try { restore(); } catch (...) {}    // of two exceptions, the one that is under way counts
+  }
+  void restore() const { put(vpm_, carrier_, point_); }
 
   Vector3 operator()(const Vector3& q, Corner_table::Index&) const
   {

@@ -302,7 +302,8 @@ void Relaxation::take_guarded_step(std::size_t i, const Vector3& step, const Pro
   for (int trial = 0; trial < STEP_TRIALS; ++trial, factor /= 2) {
     Index hint = data_.hint[i];
     const Vector3 q = projector(data_.position[i] + factor * step, hint);
-    if (!projector.is_compatible(hint, normal_[i]) || !turns_no_face(i, q) || makes_thin_face(i, q)) continue;
+    if (!projector.is_compatible(hint, normal_[i]) || !turns_no_face(i, q)) continue;
+    if (data_.mobility[i] == Mobility::guarded && makes_thin_face(i, q)) continue;
     data_.position[i] = q;
     data_.hint[i] = hint;
     return;

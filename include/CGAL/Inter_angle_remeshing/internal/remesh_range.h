@@ -15,6 +15,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -72,13 +73,14 @@ inline void check_recipe(const Recipe& recipe)
     refuse(REMESHING, "Recipe::collapse_tolerance is negative or not a number");
 }
 
-// A length so small that the result could not be indexed is refused, as is what is no length.
-inline void check_length(double length, double area)
+// A length so small that the result could not be indexed is refused, as is what is no length. Needles have edges to
+// split, though hardly an area.
+inline void check_length(double length, double area, double total_edge_length)
 {
   if (!(length >= 0) || !std::isfinite(length))
     refuse(REMESHING, "the target edge length is " + std::to_string(length) + "; it must be finite and not negative");
   constexpr double MAXIMUM_FACES = double((std::numeric_limits<Remeshing_mesh::Index>::max)() / 4) / 1.5;
-  const double faces = 4 * area / (std::sqrt(3.) * length * length);
+  const double faces = (std::max)(4 * area / (std::sqrt(3.) * length * length), total_edge_length / length);
   if (length > 0 && faces > MAXIMUM_FACES)
     refuse(REMESHING, "the target edge length is so small that about " + std::to_string(faces) +
                       " faces were needed; at most " + std::to_string(MAXIMUM_FACES) + " can be indexed");
@@ -97,7 +99,7 @@ double target_length(const Length& length, const Remeshing_mesh& mesh)
     const double wanted = CGAL::to_double(length);
     if (std::isfinite(wanted)) result = wanted / mesh.unit(); else result = wanted;
   }
-  check_length(result, range_area);
+  check_length(result, range_area, total_edge_length(mesh));
   return result;
 }
 
@@ -178,8 +180,11 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
     static_assert(std::is_invocable_r<Point_3, const Functor&, Vertex>::value,
                   "projection_functor: expected a functor `Point_3 operator()(vertex_descriptor) const`, as in "
                   "Polygon_mesh_processing, or `Point_3 operator()(const Point_3&) const`.");
-    return run(Vertex_functor_projection<Functor, Vertex, decltype(parameters.vertex_point_map)>(
-      functor, exchange.input_vertices().front(), parameters.vertex_point_map, mesh.unit()));
+    const Vertex_functor_projection<Functor, Vertex, decltype(parameters.vertex_point_map)> projection(
+      functor, exchange.input_vertices().front(), parameters.vertex_point_map, mesh.unit());
+    const Remeshing_report report = run(projection);
+    projection.restore();
+    return report;
   }
 }
 
@@ -205,7 +210,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   check_recipe(parameters.recipe);
   if (range.begin() == range.end()) {
-    if constexpr (!std::is_same<Length, Face_count>::value) check_length(CGAL::to_double(length), 0);
+    if constexpr (!std::is_same<Length, Face_count>::value) check_length(CGAL::to_double(length), 0, 0);
     return {};
   }
   Mesh_exchange<TriangleMesh, Vpm> exchange(range, tmesh, parameters.vertex_point_map, REMESHING);

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
-// Where vertices cannot get out of the way, beside curves and at sharp edges, a thin face stays. There no operation may
-// make an angle under 20 degrees that is smaller than the smallest one before.
+// Beside a curve, whose vertices do not get out of the way, a thin face stays. There no operation may make an angle under
+// 20 degrees that is smaller than the smallest one before. (Elsewhere a thin face is often the way out of a jam.)
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
