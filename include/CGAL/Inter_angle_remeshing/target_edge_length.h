@@ -41,11 +41,11 @@ inline double total_edge_length(const Remeshing_mesh& mesh)
   return sum / 2;
 }
 
-// n equilateral triangles of edge l cover √3/4 n l²; the remesher was measured to leave edges 3.1% shorter than its
-// target on the average.
+// n equilateral triangles of edge l cover √3/4 n l²; the remesher was measured to yield as many as if its edges were 5%
+// shorter than their target.
 inline double length_for_face_count(double area, std::size_t n)
 {
-  return 1.031 * std::sqrt(4 * area / (std::sqrt(3.) * double(n)));
+  return 1.05 * std::sqrt(4 * area / (std::sqrt(3.) * double(n)));
 }
 
 } // namespace internal
@@ -56,8 +56,9 @@ inline double length_for_face_count(double area, std::size_t n)
 @brief returns the target edge length with which `isotropic_remeshing()` yields about `n` faces.
 
 Source: a surface of area A is covered by F equilateral triangles of edge l = √(4A / (√3 F)); the length is corrected
-by what the remesher was measured to yield. Measured on closed surfaces that are refined or keep their number of faces: 0 to 8%
-too many; less exact the more a surface is coarsened. `Face_count` comes nearer, for it steers during the run.
+by what the remesher was measured to yield. Measured on 13 closed surfaces that are refined or keep their number of
+faces: within 3%; within 12% where they are coarsened to a sixth. `Face_count` comes nearer, for it steers during the
+run.
 Complexity: linear in the number of faces of the range.
 
 @tparam FaceRange a model of `ConstRange` with the faces of `TriangleMesh` as value type

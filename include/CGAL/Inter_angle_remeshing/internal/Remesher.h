@@ -218,6 +218,7 @@ private:
   Relaxation relaxation_;
   Remeshing_report report_;
   unsigned passes_ = 0;                  // done in this iteration
+  bool is_refined_ = false;              // by so much that the number of faces is not steered
   std::size_t steerings_ = 0;            // iterations since the number of faces came near the wanted one
 };
 
@@ -228,11 +229,13 @@ void Remesher<ConcurrencyTag, Context>::steer_to_face_count(double first_target_
 {
   static constexpr double EXCESS[] = {1.15, 1.075, 1.045, 1.03, 1.018, 1.012, 1.007};
   static constexpr std::size_t SIZE = sizeof(EXCESS) / sizeof(EXCESS[0]);
-  // Until the count is this near, the mesh is still being refined or coarsened, and says nothing about the length.
+  // Until the count is this near, the mesh is still being coarsened, and says nothing about the length. One that is
+  // refined comes from below, where the table does not hold, but the length that the run began with does, within 1%.
   static constexpr double NEAR = 1.3;
   if (schedule_.wanted_faces == 0 || report_.iterations == 0 || is_late()) return;
   const double ratio = double(mesh_.number_of_live_faces()) / double(schedule_.wanted_faces);
-  if (ratio > NEAR || ratio < 1 / NEAR || ++steerings_ < 2) return;
+  is_refined_ = is_refined_ || ratio < 1 / NEAR;
+  if (is_refined_ || ratio > NEAR || ++steerings_ < 2) return;
   const double expected = 1.01 * double(schedule_.wanted_faces) * EXCESS[(std::min)(steerings_ - 1, SIZE - 1)];
   const double corrected = context_.target_length * std::sqrt(double(mesh_.number_of_live_faces()) / expected);
   context_.target_length = (std::max)(0.88 * first_target_length, (std::min)(1.15 * first_target_length, corrected));
