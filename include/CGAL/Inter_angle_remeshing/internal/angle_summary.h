@@ -36,8 +36,13 @@ inline double arc_cosine_in_degrees(double cosine)
 // cosines.
 inline void add_angles(const Vector3& a, const Vector3& b, const Vector3& c, Remeshing_report::Angles& sum)
 {
-  const double cosines[3] = {corner_cosine(a, b, c), corner_cosine(b, c, a), corner_cosine(c, a, b)};
-  for (const double cosine : cosines) {
+  const Vector3 u = b - a, v = c - b, w = a - c;
+  const double lu = length(u), lv = length(v), lw = length(w);
+  const auto cosine_between = [](const Vector3& d, const Vector3& e, double product) {
+    return product > 0 ? -dot(d, e) / product : 1.;
+  };
+  for (const double cosine : {cosine_between(w, u, lw * lu), cosine_between(u, v, lu * lv),
+                              cosine_between(v, w, lv * lw)}) {
     sum.minimum = (std::max)(sum.minimum, cosine);
     sum.maximum = (std::min)(sum.maximum, cosine);
     sum.average += std::abs(arc_cosine_in_degrees(cosine) - 60);

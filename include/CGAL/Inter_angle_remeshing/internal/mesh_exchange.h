@@ -108,6 +108,7 @@ private:
   {
     Remeshing_mesh& mesh = copy_.mesh;
     constexpr unsigned SHARED = Remeshing_mesh::NEXT_TO_OUTSIDE | Remeshing_mesh::PINCHED;
+    if (!has_marks(SHARED | Remeshing_mesh::ON_BORDER | Remeshing_mesh::ON_FEATURE)) return;
     for_each_edge([&](Index h, halfedge_descriptor user) {
       const unsigned ends = mesh.marks(mesh.origin(h)) | mesh.marks(mesh.target(h));
       const Index o = mesh.opposite(h);
@@ -123,10 +124,18 @@ private:
     });
   }
 
+  bool has_marks(unsigned marks) const
+  {
+    unsigned all = 0;
+    for (Index v = 0; v < Index(copy_.vertices.size()); ++v) all |= copy_.mesh.marks(v);
+    return (all & marks) != 0;
+  }
+
   // Which edges keep their descriptor, and which may be used for any edge.
   void sort_edges()
   {
     const Remeshing_mesh& mesh = copy_.mesh;
+    spare_edges_.reserve(copy_.faces.size() + copy_.faces.size() / 2);
     for_each_edge([&](Index h, halfedge_descriptor user) {
       if (!mesh.is_protected(h)) { spare_edges_.push_back(user); return; }
       kept_edges_.push_back({mesh.origin(h), mesh.target(h), user});
