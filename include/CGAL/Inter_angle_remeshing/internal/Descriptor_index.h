@@ -17,7 +17,8 @@ namespace internal {
 
 // Numbers for the descriptors of a range: memory and time follow the range, not the mesh, and the mesh needs no
 // index maps. An open-addressing table. The first probe is the hash value itself, for meshes hash their descriptors
-// by index or by address and lie in the table as in memory; where that meets a taken slot, the mixed value decides.
+// by index or by address and lie in the table as in memory: in long runs of taken slots. A probe that meets a taken
+// slot is therefore followed by jumps of a width that depends on the value (double hashing), not by the next slots.
 template <class Descriptor>
 class Descriptor_index
 {
@@ -53,8 +54,10 @@ private:
     std::size_t i = hash & mask;
     if (is_at(i, d)) return i;
     // Fibonacci hashing: the golden ratio times 2^64 spreads any pattern.
-    i = ((std::uint64_t(hash) * 0x9E3779B97F4A7C15ull) >> 20) & mask;
-    while (!is_at(i, d)) i = (i + 1) & mask;
+    const std::uint64_t mixed = std::uint64_t(hash) * 0x9E3779B97F4A7C15ull;
+    const std::size_t jump = std::size_t(mixed >> 13) | 1;   // odd: it meets every slot
+    i = std::size_t(mixed >> 32) & mask;
+    while (!is_at(i, d)) i = (i + jump) & mask;
     return i;
   }
 
