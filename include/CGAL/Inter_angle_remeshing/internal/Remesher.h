@@ -83,7 +83,7 @@ private:
     passes_ = 0;
     context_.visitor.start_iteration(i, mesh_);
     if (split_and_collapse() > 0 && is_late()) refine();
-    if (i < orderings()) mesh_.renumber<ConcurrencyTag>(morton_order(mesh_));
+    order_elements();
     for (unsigned round = 0; round < flip_rounds() && goes_on(); ++round) flip();
     if (goes_on()) relax();
     context_.visitor.end_iteration(i, mesh_);
@@ -200,12 +200,15 @@ private:
 
   bool goes_on() const { return report_.ending == Remeshing_report::Ending::completed; }
 
-  // Iterations after whose collapses the elements are put in space-filling order anew: larger meshes suffer longer
-  // from the order that splits and collapses leave.
-  unsigned orderings() const
+  // Puts the elements in space-filling order anew when splits and collapses have left enough of them out of it. The
+  // larger the mesh, the sooner that pays.
+  void order_elements()
   {
-    const std::size_t faces = mesh_.number_of_live_faces();
-    return faces < 100000 ? 1 : faces < 1000000 ? 2 : 3;
+    const std::size_t faces = mesh_.number_of_live_faces(), operations = report_.splits + report_.collapses;
+    const std::size_t fraction = faces < 100000 ? 4 : faces < 1000000 ? 8 : 32;
+    if (operations - operations_in_order_ <= faces / fraction) return;
+    mesh_.renumber<ConcurrencyTag>(morton_order(mesh_));
+    operations_in_order_ = operations;
   }
 
   void steer_to_face_count(double first_target_length);
@@ -218,6 +221,7 @@ private:
   Relaxation relaxation_;
   Remeshing_report report_;
   unsigned passes_ = 0;                  // done in this iteration
+  std::size_t operations_in_order_ = 0;  // splits and collapses before the last ordering
   bool is_refined_ = false;              // by so much that the number of faces is not steered
   std::size_t steerings_ = 0;            // iterations since the number of faces came near the wanted one
 };
