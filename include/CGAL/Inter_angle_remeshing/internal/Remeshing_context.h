@@ -37,6 +37,9 @@ template <class Policy>
 bool is_never(const Policy&) { return false; }
 inline bool is_never(const Constant_policy& policy) { return !policy.value; }
 
+// Smallest cosine between normals before and after an operation that is not taken for a fold: 26 degrees.
+constexpr double LITTLE_TURN_COSINE = 0.9;
+
 // What every pass works with: the mesh, the target length, and the user's functors.
 template <class InputVertex, class SplitPolicy, class CollapsePolicy, class FlipPolicy, class Projector, class Visitor>
 struct Remeshing_context

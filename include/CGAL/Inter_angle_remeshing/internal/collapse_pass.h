@@ -109,6 +109,16 @@ inline bool has_short_edges_after_collapse(const Remeshing_mesh& mesh, Remeshing
   return true;
 }
 
+// The sum of the cross products of the faces around v.
+inline Vector3 star_cross_product(const Remeshing_mesh& mesh, Remeshing_mesh::Index v)
+{
+  Vector3 sum;
+  mesh.for_each_around(v, [&](Remeshing_mesh::Index h) {
+    sum += triangle_cross(mesh.position(v), mesh.position(mesh.target(h)), mesh.position(mesh.apex(h)));
+  });
+  return sum;
+}
+
 // Whether the faces that replace the star of h's source are fit: no edge too long, no face turned, and one of them
 // near the removed point. The last keeps tips and ridges.
 inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Collapse_limits& limits)
@@ -117,10 +127,6 @@ inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h,
   const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
   const Vector3 p = mesh.position(a), q = mesh.position(b);
   if (!has_short_edges_after_collapse(mesh, h, limits)) return false;
-  Vector3 star;
-  mesh.for_each_around(a, [&](Index k) {
-    star += triangle_cross(p, mesh.position(mesh.target(k)), mesh.position(mesh.apex(k)));
-  });
   bool is_near = mesh.is_on_curve(a);     // what a curve may lose, keeps_curve() says
   const bool turns_no_face = mesh.all_around(a, [&](Index k) {
     const Index c = mesh.target(k), d = mesh.apex(k);
@@ -128,7 +134,7 @@ inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h,
     const Vector3 &r = mesh.position(c), &s = mesh.position(d);
     const Vector3 before = triangle_cross(p, r, s), after = triangle_cross(q, r, s);
     const bool is_turned = is_degenerate(before, p, r, s)
-                             ? dot(after, star) < 0      // it had no normal to compare with
+                             ? dot(after, star_cross_product(mesh, a)) < 0      // it had no normal to compare with
                              : !is_cosine_at_least(before, after, COLLAPSE_NORMAL_COSINE);
     if (is_turned) return false;
     is_near = is_near || squared_distance(closest_point_on_triangle(p, q, r, s).point, p) <= limits.squared_tolerance;
@@ -137,13 +143,26 @@ inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h,
   return turns_no_face && is_near;
 }
 
+// Whether no face turns by more than 26 degrees when the source of h is merged into its target.
+inline bool turns_little(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh::Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
+  return mesh.all_around(a, [&](Remeshing_mesh::Index k) {
+    const Remeshing_mesh::Index c = mesh.target(k), d = mesh.apex(k);
+    return c == b || d == b ||
+           is_cosine_at_least(triangle_cross(mesh.position(a), mesh.position(c), mesh.position(d)),
+                              triangle_cross(mesh.position(b), mesh.position(c), mesh.position(d)), LITTLE_TURN_COSINE);
+  });
+}
+
 // Whether one of the faces that replace the star of h's source turns its back on the surface, where none of the star
-// did.
+// did. Where no face turns far, the surface need not be asked.
 template <class Context>
 bool makes_fold(const Context& context, Remeshing_mesh::Index h)
 {
   const Remeshing_mesh& mesh = context.mesh;
   const Remeshing_mesh::Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
+  if (turns_little(mesh, h)) return false;
   const bool is_fold_free = mesh.all_around(a, [&](Remeshing_mesh::Index k) {
     const Remeshing_mesh::Index c = mesh.target(k), d = mesh.apex(k);
     return c == b || d == b || !context.is_turned_over(b, c, d);

@@ -43,16 +43,30 @@ inline bool is_flip_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
     (std::min)(squared_sine_of_smallest_angle(a, d, c), squared_sine_of_smallest_angle(d, b, c)));
 }
 
+// Whether a flip of the edge of h makes a face that turns its back on the surface, where neither of the two did. Where
+// no face turns far, the surface need not be asked.
+template <class Context>
+bool makes_fold_by_flip(const Context& context, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh& mesh = context.mesh;
+  const Remeshing_mesh::Index o = mesh.opposite(h);
+  const Remeshing_mesh::Index a = mesh.origin(h), b = mesh.origin(o), c = mesh.apex(h), d = mesh.apex(o);
+  const auto cross_product = [&](Remeshing_mesh::Index u, Remeshing_mesh::Index v, Remeshing_mesh::Index w) {
+    return triangle_cross(mesh.position(u), mesh.position(v), mesh.position(w));
+  };
+  const Vector3 sum = cross_product(a, b, c) + cross_product(b, a, d);
+  if (is_cosine_at_least(cross_product(a, d, c), sum, LITTLE_TURN_COSINE) &&
+      is_cosine_at_least(cross_product(d, b, c), sum, LITTLE_TURN_COSINE)) return false;
+  return (context.is_turned_over(a, d, c) || context.is_turned_over(d, b, c)) &&
+         !context.is_turned_over(a, b, c) && !context.is_turned_over(b, a, d);
+}
+
 template <class Context>
 bool is_flip_allowed(const Context& context, Remeshing_mesh::Index h, bool is_transient)
 {
   const Remeshing_mesh& mesh = context.mesh;
-  if (!mesh.is_flip_legal(h) || !is_flip_fit(mesh, h)) return false;
-  const Remeshing_mesh::Index o = mesh.opposite(h);
-  const Remeshing_mesh::Index a = mesh.origin(h), b = mesh.origin(o), c = mesh.apex(h), d = mesh.apex(o);
-  const bool makes_fold = (context.is_turned_over(a, d, c) || context.is_turned_over(b, c, d)) &&
-                          !context.is_turned_over(a, b, c) && !context.is_turned_over(b, a, d);
-  return !makes_fold && context.permits_flip(h, is_transient);
+  return mesh.is_flip_legal(h) && is_flip_fit(mesh, h) && !makes_fold_by_flip(context, h) &&
+         context.permits_flip(h, is_transient);
 }
 
 template <class Context>
