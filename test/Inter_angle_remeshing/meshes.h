@@ -31,37 +31,45 @@ namespace meshes {
 // The run under the sanitizers, which are some twenty times slower.
 inline bool is_small_run() { return std::getenv("INTER_ANGLE_TEST_SMALL") != nullptr; }
 
-struct Soup
+// Points and faces, before they are a mesh.
+template <class Face>
+struct Soup_of
 {
   std::vector<std::array<double, 3>> points;
-  std::vector<std::array<std::size_t, 3>> faces;
+  std::vector<Face> faces;
 
-  Soup scaled(double factor) const
+  Soup_of scaled(double factor) const
   {
-    Soup copy = *this;
+    Soup_of copy = *this;
     for(auto& p : copy.points)
       for(double& coordinate : p)
         coordinate *= factor;
     return copy;
   }
 
-  Soup moved(double x, double y, double z) const
+  Soup_of moved(double x, double y, double z) const
   {
-    Soup copy = *this;
+    Soup_of copy = *this;
     for(auto& p : copy.points)
       p = {p[0] + x, p[1] + y, p[2] + z};
     return copy;
   }
 
-  Soup joined_with(const Soup& other) const
+  Soup_of joined_with(const Soup_of& other) const
   {
-    Soup copy = *this;
+    Soup_of copy = *this;
     copy.points.insert(copy.points.end(), other.points.begin(), other.points.end());
-    for(const auto& f : other.faces)
-      copy.faces.push_back({f[0] + points.size(), f[1] + points.size(), f[2] + points.size()});
+    for(Face face : other.faces)
+    {
+      for(std::size_t& corner : face)
+        corner += points.size();
+      copy.faces.push_back(face);
+    }
     return copy;
   }
 };
+
+using Soup = Soup_of<std::array<std::size_t, 3>>;
 
 template <class Graph>
 using Point_of = typename boost::property_traits<

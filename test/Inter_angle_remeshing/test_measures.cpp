@@ -18,6 +18,7 @@
 #endif
 
 #include "check.h"
+#include "meshes.h"
 
 #include <array>
 #include <cmath>
@@ -35,25 +36,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Exact_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<CGAL::Exact_rational>::Point_3>;
 
-struct Soup
-{
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::vector<std::size_t>> faces;
-
-  Soup scaled(double factor) const
-  {
-    Soup copy = *this;
-    for(auto& p : copy.points)
-      for(double& coordinate : p)
-        coordinate *= factor;
-    return copy;
-  }
-
-  Soup moved(double x, double y, double z) const
-  {
-    Soup copy = *this;
-    for(auto& p : copy.points)
-      p = {p[0] + x, p[1] + y, p[2] + z};
+using Soup = meshes::Soup_of<std::vector<std::size_t>>;
     return copy;
   }
 

@@ -691,6 +691,21 @@ Told tell(const P& edge)
           edge.is_constrained()};
 }
 
+// What a policy was told during a run is what it finds in the user's mesh.
+void check_as_in_the_mesh(const Told& told, const Told& own, double length)
+{
+  CHECK(told.source == own.source && told.target == own.target && told.left == own.left && told.right == own.right);
+  CHECK(told.length == own.length);  // scaling by a power of two loses nothing
+  CHECK(told.target_length == length);
+  CHECK(near(told.adjacent, own.adjacent));
+  CHECK(near(told.opposite, own.opposite));
+  CHECK(near(told.dihedral, own.dihedral, 1e-6));
+  CHECK(told.valence_of_source == own.valence_of_source);
+  CHECK(told.valence_after == own.valence_after);
+  CHECK(told.is_border == own.is_border);
+  CHECK(told.is_source_border == own.is_source_border);
+}
+
 // A run that is denied everything shows its policies the user's mesh, edge by edge.
 void a_policy_sees_the_mesh_as_the_user_has_it()
 {
@@ -737,17 +752,7 @@ void a_policy_sees_the_mesh_as_the_user_has_it()
     CHECK(found.second);
     if(!found.second)
       continue;
-    const Told own = tell(IAR::Edge_profile<Mesh>(found.first, copy, copy.points(), length));
-    CHECK(told.source == own.source && told.target == own.target && told.left == own.left && told.right == own.right);
-    CHECK(told.length == own.length);  // scaling by a power of two loses nothing
-    CHECK(told.target_length == length);
-    CHECK(near(told.adjacent, own.adjacent));
-    CHECK(near(told.opposite, own.opposite));
-    CHECK(near(told.dihedral, own.dihedral, 1e-6));
-    CHECK(told.valence_of_source == own.valence_of_source);
-    CHECK(told.valence_after == own.valence_after);
-    CHECK(told.is_border == own.is_border);
-    CHECK(told.is_source_border == own.is_source_border);
+    check_as_in_the_mesh(told, tell(IAR::Edge_profile<Mesh>(found.first, copy, copy.points(), length)), length);
     CHECK(told.is_constrained == was_constrained[copy.edge(found.first)]);
     border_edges += told.is_border;
     constrained_edges += told.is_constrained;
