@@ -37,22 +37,6 @@ using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Exact_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<CGAL::Exact_rational>::Point_3>;
 
 using Soup = meshes::Soup_of<std::vector<std::size_t>>;
-    return copy;
-  }
-
-  Soup joined_with(const Soup& other) const
-  {
-    Soup copy = *this;
-    copy.points.insert(copy.points.end(), other.points.begin(), other.points.end());
-    for(std::vector<std::size_t> face : other.faces)
-    {
-      for(std::size_t& corner : face)
-        corner += points.size();
-      copy.faces.push_back(face);
-    }
-    return copy;
-  }
-};
 
 template <class Graph>
 Graph to_mesh(const Soup& soup)
