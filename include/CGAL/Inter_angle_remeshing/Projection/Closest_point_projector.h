@@ -6,8 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_PROJECTION_CLOSEST_POINT_PROJECTOR_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Reference_surface.h>
-#include <CGAL/Inter_angle_remeshing/internal/flat_copy.h>
-#include <CGAL/Inter_angle_remeshing/internal/space_filling_order.h>
+#include <CGAL/Inter_angle_remeshing/internal/whole_surface.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>
@@ -63,7 +62,8 @@ public:
   /// @throws CGAL::Precondition_exception if `tmesh` has no face or one that is not a triangle, if a coordinate is not
   ///         finite, or if all points are equal
   explicit Closest_point_projector(const TriangleMesh& tmesh, VertexPointMap vpm)
-    : vpm_(vpm), surface_(copy_surface(tmesh, vpm))
+    : vpm_(vpm), surface_(std::make_shared<const internal::Reference_surface>(
+                   internal::copy_whole_surface(tmesh, vpm, "Closest_point_projector::Closest_point_projector()").mesh))
   {}
 
   /// the same with the mesh's own points.
@@ -77,7 +77,7 @@ public:
   /// returns the point closest to `p` on the part of the surface that looks the same way as `normal`: where two
   /// sheets lie near each other, the one whose normal makes less than 90 degrees with it wins over the nearer one.
   /// Where there is no such part near by, the closest point of all.
-  Point_3 project(const Point_3& p, const Vector_3& normal) const { return project(p, to_vector3(normal)); }
+  Point_3 project(const Point_3& p, const Vector_3& normal) const { return project(p, internal::to_vector3(normal)); }
 
   /// returns `project()` of the point that `v` has now, in the live mesh or point map.
   Point_3 operator()(vertex_descriptor v) const { return project(get(vpm_, v)); }
@@ -87,26 +87,11 @@ public:
 #endif
 
 private:
-  static std::shared_ptr<const internal::Reference_surface> copy_surface(const TriangleMesh& tmesh, VertexPointMap vpm)
-  {
-    constexpr const char* CALLER = "Closest_point_projector::Closest_point_projector()";
-    auto copy = internal::Flat_copy_builder<TriangleMesh, VertexPointMap>(tmesh, vpm, CALLER).build(faces(tmesh));
-    if (copy.faces.empty()) internal::refuse(CALLER, "the mesh has no face");
-    copy.mesh.template renumber<CGAL::Sequential_tag>(internal::morton_order(copy.mesh));
-    return std::make_shared<const internal::Reference_surface>(copy.mesh);
-  }
-
-  template <class Triple>
-  static Vector3 to_vector3(const Triple& t)
-  {
-    return {CGAL::to_double(t.x()), CGAL::to_double(t.y()), CGAL::to_double(t.z())};
-  }
-
   Point_3 project(const Point_3& p, const Vector3& normal) const
   {
     const double unit = surface_->unit();
     Index f = 0;
-    const Vector3 q = unit * surface_->locate((1 / unit) * to_vector3(p), f, normal);
+    const Vector3 q = unit * surface_->locate((1 / unit) * internal::to_vector3(p), f, normal);
     return Point_3(q.x, q.y, q.z);
   }
 

@@ -36,6 +36,7 @@ public:
   // The user's length that is 1 here.
   double unit() const { return unit_; }
   std::size_t number_of_faces() const { return number_of_face_slots(); }
+  std::size_t number_of_vertices() const { return position_.size(); }
   const Vector3& position(Index v) const { return position_[v]; }
 
   // Twice the area times the unit normal of face f.
@@ -52,7 +53,8 @@ public:
   }
 
   // Walks from face f over the surface to the closest point, downhill in distance; f becomes the face it ends on.
-  Vector3 walk(const Vector3& q, Index& f) const;
+  Point_on_triangle closest_point_near(const Vector3& q, Index& f) const;
+  Vector3 walk(const Vector3& q, Index& f) const { return closest_point_near(q, f).point; }
 
   // The closest point where nothing is known about q. Where `normal` is not zero, the closest point whose face
   // looks the same way (the angle between the normals is under 90 degrees) wins over the closest one of all,
@@ -127,7 +129,7 @@ inline bool Reference_surface::walk_around_vertex(const Vector3& q, Index h, Ind
   return is_nearer;
 }
 
-inline Vector3 Reference_surface::walk(const Vector3& q, Index& f) const
+inline Point_on_triangle Reference_surface::closest_point_near(const Vector3& q, Index& f) const
 {
   Point_on_triangle best = closest_point_on_face(q, f);
   double distance = squared_distance(q, best.point);
@@ -147,7 +149,7 @@ inline Vector3 Reference_surface::walk(const Vector3& q, Index& f) const
     else if (!walk_around_vertex(q, 4 * f + part - int(Triangle_part::vertex_a), f, best, distance))
       break;
   }
-  return best.point;
+  return best;
 }
 
 inline const Reference_surface::Tree& Reference_surface::tree() const

@@ -5,6 +5,7 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_PROJECTION_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_PROJECTION_H
 
+#include <CGAL/Inter_angle_remeshing/internal/Mls_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/Reference_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/Vector3.h>
 
@@ -20,17 +21,35 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// Onto the closest point of the surface near the hint.
+// Onto the surface near the hint: the closest point on its facets, a point of the MLS surface over them, or one in
+// between, as the length of the facet says.
 struct Surface_projection
 {
   static constexpr bool IS_CONCURRENT = true;
 
   const Reference_surface& surface;
   double factor = 1;                     // from the flat mesh's units to the surface's, a power of two
+  const Mls_surface* mls = nullptr;      // none: the facets
+  double facet_length = 0;               // mean edge length of a face, up to which its facet counts,
+  double smooth_length = 0;              // and from which on the MLS surface counts alone
 
   Vector3 operator()(const Vector3& q, Corner_table::Index& hint) const
   {
-    return (1 / factor) * surface.walk(factor * q, hint);
+    return (1 / factor) * (mls == nullptr ? surface.walk(factor * q, hint) : smooth_point(factor * q, hint));
+  }
+  Vector3 smooth_point(const Vector3& q, Corner_table::Index& hint) const
+  {
+    const Point_on_triangle closest = surface.closest_point_near(q, hint);
+    const double l = mls->mean_edge_length(hint);
+    if (l < facet_length) return closest.point;
+    const Vector3 p = mls->project(q, hint, closest);
+    return l >= smooth_length ? p : closest.point + share_of_mls(l) * (p - closest.point);
+  }
+  // From 0 to 1 without a kink.
+  double share_of_mls(double length) const
+  {
+    const double t = (length - facet_length) / (smooth_length - facet_length);
+    return t * t * (3 - 2 * t);
   }
   // Whether the face of the hint looks to the same side as the normal: if not, it belongs to another sheet.
   bool is_compatible(Corner_table::Index hint, const Vector3& normal) const

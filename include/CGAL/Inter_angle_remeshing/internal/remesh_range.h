@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -151,14 +152,61 @@ template <class Functor>
 struct Has_reference_surface<Functor, std::void_t<Reference_surface_of<Functor>>> : std::true_type {};
 
 template <class Functor>
+using Mls_surface_of = decltype(std::declval<const Functor&>().mls_surface());
+template <class Functor, class = void>
+struct Has_mls_surface : std::false_type {};
+template <class Functor>
+struct Has_mls_surface<Functor, std::void_t<Mls_surface_of<Functor>>> : std::true_type {};
+
+template <class Functor>
 const Functor& referred(const Functor& functor) { return functor; }
 template <class Functor>
 const Functor& referred(const std::reference_wrapper<Functor>& functor) { return functor.get(); }
 
-// Runs the remesher with the projector that the functor asks for.
+// The default: facets where they are at most 3/2 as long as the target, for they are what the result is measured against;
+// the MLS surface where they are 5/2 as long, for there they would show; smooth between. Where no facet is that long, no
+// MLS surface is made.
+struct Default_surface
+{
+  static constexpr double FACET_RATIO = 1.5, SMOOTH_RATIO = 2.5;
+
+  Default_surface(const Remeshing_mesh& mesh, double target) : facets(mesh), target_length(target)
+  {
+    if (!(target > 0)) return;
+    const auto is_coarse = [&](Remeshing_mesh::Index f) {
+      return mean_edge_length(facets, f) > FACET_RATIO * target;
+    };
+    for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()) && !smooth; ++f)
+      if (is_coarse(f)) smooth.emplace(facets, is_coarse);
+  }
+  Surface_projection projection() const
+  {
+    return {facets, 1, smooth ? &*smooth : nullptr, FACET_RATIO * target_length, SMOOTH_RATIO * target_length};
+  }
+
+  // The area of the surface over that of the facets.
+  double area_ratio() const
+  {
+    if (!smooth) return 1;
+    double flat = 0, curved = 0;
+    for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()); ++f) {
+      const double area = length(facets.cross_product(f)) / 2;
+      flat += area;
+      curved += smooth->mean_edge_length(f) > FACET_RATIO * target_length ? smooth->area(f) : area;
+    }
+    return curved / flat;
+  }
+
+  Reference_surface facets;
+  std::optional<Mls_surface> smooth;
+  double target_length;
+};
+
+// Runs the remesher with the projector that the functor asks for. A wanted number of faces is one of the surface that
+// the result lies on: the target length follows its area.
 template <class ConcurrencyTag, class Parameters, class Exchange, class Run>
 Remeshing_report run_with_projector(const Parameters& parameters, const Exchange& exchange, Remeshing_mesh& mesh,
-                                    const Run& run)
+                                    double& target, const Run& run)
 {
   using Vertex = std::decay_t<decltype(exchange.input_vertices()[0])>;
   using Point_3 = typename boost::property_traits<decltype(parameters.vertex_point_map)>::value_type;
@@ -166,13 +214,15 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
   using Functor = std::decay_t<decltype(functor)>;
   if (!parameters.does_project) return run(No_projection());
   if constexpr (std::is_same<Functor, No_map>::value) {
-    const Reference_surface surface(mesh);
+    const Default_surface surface(mesh, target);
     start_where_vertices_are(mesh);
-    return run(Surface_projection{surface});
+    if (parameters.schedule.wanted_faces > 0) target *= std::sqrt(surface.area_ratio());
+    return run(surface.projection());
   } else if constexpr (Has_reference_surface<Functor>::value) {
     const Reference_surface& surface = functor.reference_surface();
-    const Surface_projection projection{surface, mesh.unit() / surface.unit()};
+    Surface_projection projection{surface, mesh.unit() / surface.unit()};
     find_hints(mesh, projection);
+    if constexpr (Has_mls_surface<Functor>::value) projection.mls = &functor.mls_surface();
     return run(projection);
   } else if constexpr (std::is_invocable_r<Point_3, const Functor&, const Point_3&>::value)
     return run(Point_functor_projection<Functor, Point_3>{functor, mesh.unit()});
@@ -214,7 +264,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
     return {};
   }
   Mesh_exchange<TriangleMesh, Vpm> exchange(range, tmesh, parameters.vertex_point_map, REMESHING);
-  const double target = target_length(length, exchange.mesh());
+  double target = target_length(length, exchange.mesh());
   if (parameters.schedule.iterations == 0) return {};
   if constexpr (std::is_same<Length, Face_count>::value) parameters.schedule.wanted_faces = length.value;
 
@@ -224,7 +274,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   Remeshing_mesh mesh = exchange.take_mesh();
   mesh.renumber<ConcurrencyTag>(morton_order(mesh));
 
-  const Remeshing_report report = run_with_projector<ConcurrencyTag>(parameters, exchange, mesh,
+  const Remeshing_report report = run_with_projector<ConcurrencyTag>(parameters, exchange, mesh, target,
     [&](const auto& projector) {
       using Context = Remeshing_context<Vertex, decltype(parameters.split_policy), decltype(parameters.collapse_policy),
                                         decltype(parameters.flip_policy), std::decay_t<decltype(projector)>,

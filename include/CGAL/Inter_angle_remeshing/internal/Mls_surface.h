@@ -1,0 +1,369 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_MLS_SURFACE_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_MLS_SURFACE_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Reference_surface.h>
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/sector_fit.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Edges with a larger dihedral angle are features of the surface: 40 degrees. Border and constrained edges are, too.
+constexpr double MLS_FEATURE_COSINE = 0.766044443118978;
+
+inline double mean_edge_length(const Reference_surface& surface, Reference_surface::Index f)
+{
+  const Reference_surface::Face& t = surface.face_record(f);
+  double sum = 0;
+  for (int k = 0; k < 3; ++k)
+    sum += length(surface.position(t.vertex[(k + 1) % 3]) - surface.position(t.vertex[k]));
+  return sum / 3;
+}
+
+// A smooth surface over the faces of a reference surface: through its vertices, with the normals of a moving least squares
+// fit there. Features and borders become curves, and corners stay. With barycentric coordinates b of a face,
+//
+//   P(b) = Σ b_i P_i + Σ_{i≠j} (b_i² b_j + ½ b_0 b_1 b_2) d_ij,   N(b) = Σ b_i n_i,
+//
+// where d_ij is what leads from the edge P_i P_j, at its end P_i, into the tangent plane or onto the tangent there.
+// Const after construction.
+class Mls_surface
+{
+public:
+  using Index = Reference_surface::Index;
+  using Barycentric = std::array<double, 3>;
+
+  // Fits the normals of the faces for which `is_needed(f)` holds; on the other ones the surface is the triangle.
+  template <class Predicate>
+  Mls_surface(const Reference_surface& surface, const Predicate& is_needed);
+  explicit Mls_surface(const Reference_surface& surface) : Mls_surface(surface, [](Index) { return true; }) {}
+
+  const Reference_surface& reference_surface() const { return *surface_; }
+
+  // The point P(b).
+  Vector3 point(Index f, const Barycentric& b) const;
+  // The area over face f, about: that of four triangles through the corners and the middles of the edges.
+  double area(Index f) const
+  {
+    const Vector3 p[3] = {corner(f, 0), corner(f, 1), corner(f, 2)};
+    const Vector3 q[3] = {point(f, {0, .5, .5}), point(f, {.5, 0, .5}), point(f, {.5, .5, 0})};
+    double doubled = length(triangle_cross(q[0], q[1], q[2]));
+    for (int k = 0; k < 3; ++k) doubled += length(triangle_cross(p[k], q[(k + 2) % 3], q[(k + 1) % 3]));
+    return doubled / 2;
+  }
+  // The vector N(b), not of unit length; zero where the face has no normal.
+  Vector3 normal(Index f, const Barycentric& b) const
+  {
+    Vector3 sum;
+    for (int k = 0; k < 3; ++k) sum += b[k] * corner_normal(f, k);
+    return sum;
+  }
+  // The coordinates of a point on face f.
+  Barycentric barycentric_of(Index f, const Point_on_triangle& p) const;
+  // Onto the surface over the face f from the point `closest` on it, which is the closest one to q.
+  Vector3 project(const Vector3& q, Index f, const Point_on_triangle& closest) const;
+
+  bool is_feature(Index h) const { return (faces_[h >> 2].features >> (h & 3) & 1) != 0; }
+  double mean_edge_length(Index f) const { return faces_[f].length; }
+
+  // Bounds, in mean edge lengths of the face: of the distance from P(b) to the face, and from P(b) to a projection.
+  static constexpr double LARGEST_OFFSET = 0.15, LARGEST_STEP = 0.3;
+
+private:
+  struct Face_data
+  {
+    Index sector[3] = {-1, -1, -1};          // of the corners; -1: no normal
+    // Of the smooth edges from corner k to the next and the one before: d = -rise n.
+    float rise[3][2] = {{0, 0}, {0, 0}, {0, 0}};
+    float length = 0;                        // mean of the edges
+    std::uint32_t features = 0;              // a bit for each edge on a feature, then one for each such vertex
+  };
+
+  // |d| is at most this fraction of the edge.
+  static constexpr double STEEPEST = 0.35;
+
+  static Vector3 clamped(const Vector3& d, double bound)
+  {
+    const double square = squared_length(d);
+    return square > bound * bound ? (bound / std::sqrt(square)) * d : d;
+  }
+
+  Vector3 corner_normal(Index f, int k) const
+  {
+    const Index s = faces_[f].sector[k];
+    return s < 0 ? Vector3() : normals_[s];
+  }
+  const Vector3& corner(Index f, int k) const { return surface_->position(surface_->face_record(f).vertex[k]); }
+
+  bool is_on_feature(Index f, const Barycentric& b) const;
+  void find_features();
+  bool is_sharp(Index h) const;
+  void find_tangents();
+  template <class Predicate>
+  void fit_sectors(const Predicate& is_needed);
+  void fit_fan(Index first, std::vector<Vector3>& offsets);
+  void fit_sector(const std::vector<Index>& sector, std::vector<Vector3>& offsets);
+  void find_rises();
+  Vector3 feature_offset(Index f, int from, int to) const;
+  Vector3 offset_by_features(Index f, const Barycentric& b, const std::array<std::array<double, 2>, 3>& weight) const;
+
+  const Reference_surface* surface_;
+  std::vector<Face_data> faces_;
+  std::vector<Vector3> normals_;             // unit, by sector
+  std::vector<Vector3> tangents_;            // unit, by vertex on a feature; zero at corners
+};
+
+template <class Predicate>
+Mls_surface::Mls_surface(const Reference_surface& surface, const Predicate& is_needed)
+  : surface_(&surface), faces_(surface.number_of_faces())
+{
+  find_features();
+  find_tangents();
+  fit_sectors(is_needed);
+  find_rises();
+}
+
+inline bool Mls_surface::is_sharp(Index h) const
+{
+  const auto cross_product_unless_degenerate = [&](Index f) {
+    const Vector3 c = surface_->cross_product(f);
+    return is_degenerate(c, corner(f, 0), corner(f, 1), corner(f, 2)) ? Vector3() : c;
+  };
+  const Vector3 m = cross_product_unless_degenerate(h >> 2),
+                n = cross_product_unless_degenerate(surface_->opposite(h) >> 2);
+  return m != Vector3() && n != Vector3() && !is_cosine_at_least(m, n, MLS_FEATURE_COSINE);
+}
+
+inline void Mls_surface::find_features()
+{
+  for (Index f = 0; f < Index(faces_.size()); ++f) {
+    faces_[f].length = float(internal::mean_edge_length(*surface_, f));
+    for (int k = 0; k < 3; ++k) {
+      const Index h = 4 * f + k, o = surface_->opposite(h);
+      if (o >= 0 && o < h) continue;
+      const bool is_constrained = (surface_->face_record(f).edge_flags & (Remeshing_mesh::CONSTRAINED << k)) != 0;
+      if (o >= 0 && !is_constrained && !is_sharp(h)) continue;
+      faces_[f].features |= 1u << k;
+      if (o >= 0) faces_[o >> 2].features |= 1u << (o & 3);
+    }
+  }
+}
+
+// The tangent at a vertex between two feature edges that turn by less than 45 degrees, the nearer one counting more.
+inline void Mls_surface::find_tangents()
+{
+  struct Arms { int count = 0; Vector3 direction[2]; };
+  constexpr double CORNER = 0.7071067811865476;
+  std::vector<Arms> arms(surface_->number_of_vertices());
+  for (Index f = 0; f < Index(faces_.size()); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const Index h = 4 * f + k, o = surface_->opposite(h);
+      if (!is_feature(h) || (o >= 0 && o < h)) continue;
+      const Index ends[2] = {surface_->origin(h), surface_->target(h)};
+      for (int e = 0; e < 2; ++e) {
+        Arms& a = arms[ends[e]];
+        if (a.count < 2) a.direction[a.count] = surface_->position(ends[1 - e]) - surface_->position(ends[e]);
+        ++a.count;
+      }
+    }
+  for (Index f = 0; f < Index(faces_.size()); ++f)
+    for (int k = 0; k < 3; ++k)
+      if (arms[surface_->origin(4 * f + k)].count > 0) faces_[f].features |= 8u << k;
+  tangents_.assign(surface_->number_of_vertices(), Vector3());
+  for (std::size_t v = 0; v < arms.size(); ++v) {
+    const Vector3 &in = arms[v].direction[0], &out = arms[v].direction[1];
+    if (arms[v].count != 2 || !is_cosine_at_least(out, -1. * in, CORNER)) continue;
+    const Vector3 t = (1 / squared_length(out)) * out - (1 / squared_length(in)) * in;
+    tangents_[v] = (1 / length(t)) * t;
+  }
+}
+
+template <class Predicate>
+void Mls_surface::fit_sectors(const Predicate& is_needed)
+{
+  std::vector<Vector3> offsets;
+  std::vector<char> is_done(surface_->number_of_vertices(), 0);
+  normals_.reserve(surface_->number_of_vertices());
+  for (Index f = 0; f < Index(faces_.size()); ++f) {
+    if (!is_needed(f)) continue;
+    for (int k = 0; k < 3; ++k) {
+      char& is_fan_done = is_done[surface_->origin(4 * f + k)];
+      if (!is_fan_done) fit_fan(surface_->fan_start(4 * f + k), offsets);
+      is_fan_done = 1;
+    }
+  }
+}
+
+// The faces around a vertex, cut at the features into sectors.
+inline void Mls_surface::fit_fan(Index first, std::vector<Vector3>& offsets)
+{
+  // A closed fan that has features begins behind one of them.
+  Index start = first;
+  if (!surface_->is_border(first)) {
+    bool is_found = false;
+    surface_->for_each_in_fan(first, [&](Index h) {
+      if (!is_found && is_feature(h)) { start = h; is_found = true; }
+    });
+  }
+  std::vector<Index> sector;
+  surface_->for_each_in_fan(start, [&](Index h) {
+    if (is_feature(h) && !sector.empty()) {
+      fit_sector(sector, offsets);
+      sector.clear();
+    }
+    sector.push_back(h);
+  });
+  fit_sector(sector, offsets);
+}
+
+// `sector`: the half-edges that leave the vertex through the faces of the sector, counterclockwise.
+inline void Mls_surface::fit_sector(const std::vector<Index>& sector, std::vector<Vector3>& offsets)
+{
+  const Vector3& p = surface_->position(surface_->origin(sector.front()));
+  const auto offset = [&](Index v) { return surface_->position(v) - p; };
+  offsets.clear();
+  Vector3 sum;
+  double scale = 0;
+  std::size_t first_neighbors = 0;
+  const auto add_first_neighbor = [&](Index v) {
+    offsets.push_back(offset(v));
+    scale += length(offsets.back());
+    ++first_neighbors;
+  };
+  for (const Index h : sector) {
+    const Vector3 a = offset(surface_->target(h)), b = offset(surface_->apex(h)), c = cross(a, b);
+    add_first_neighbor(surface_->target(h));
+    const double product = squared_length(a) * squared_length(b);
+    if (!is_degenerate(c, Vector3(), a, b)) sum += (1 / product) * c;
+  }
+  const Index last = surface_->prev(sector.back());      // the edge behind the sector's last face
+  if (surface_->origin(last) != surface_->target(sector.front())) add_first_neighbor(surface_->origin(last));
+  for (const Index h : sector) {
+    const Index link = Reference_surface::next(h), across = surface_->opposite(link);
+    if (across >= 0 && !is_feature(link)) offsets.push_back(offset(surface_->apex(across)));
+  }
+  scale /= double(first_neighbors);
+  const double l = length(sum);
+  if (!(l > 0) || !(scale > 0)) return;
+  for (const Index h : sector) faces_[h >> 2].sector[h & 3] = Index(normals_.size());
+  normals_.push_back(fit_normal(offsets, (1 / l) * sum, scale));
+}
+
+inline void Mls_surface::find_rises()
+{
+  for (Index f = 0; f < Index(faces_.size()); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const Vector3 n = corner_normal(f, k);
+      for (int side = 0; side < 2; ++side) {
+        const Vector3 e = corner(f, (k + 1 + side) % 3) - corner(f, k);
+        const double bound = STEEPEST * length(e);
+        faces_[f].rise[k][side] = float((std::max)(-bound, (std::min)(bound, dot(e, n))));
+      }
+    }
+}
+
+// d for a feature edge.
+inline Vector3 Mls_surface::feature_offset(Index f, int from, int to) const
+{
+  const Vector3& t = tangents_[surface_->face_record(f).vertex[from]];
+  if (t == Vector3()) return {};
+  const Vector3 e = corner(f, to) - corner(f, from);
+  return clamped(dot(t, e) * t - e, STEEPEST * length(e));
+}
+
+inline Vector3 Mls_surface::point(Index f, const Barycentric& b) const
+{
+  const Face_data& data = faces_[f];
+  const double bubble = 0.5 * b[0] * b[1] * b[2];
+  Vector3 flat, offset;
+  for (int k = 0; k < 3; ++k) {
+    const int next = k == 2 ? 0 : k + 1, before = k == 0 ? 2 : k - 1;
+    flat += b[k] * corner(f, k);
+    const double to_next = b[k] * b[k] * b[next] + bubble, to_before = b[k] * b[k] * b[before] + bubble;
+    double rise = 0;
+    if (data.features >> k & 1) offset += to_next * feature_offset(f, k, next);
+    else rise += to_next * data.rise[k][0];
+    if (data.features >> before & 1) offset += to_before * feature_offset(f, k, before);
+    else rise += to_before * data.rise[k][1];
+    if (rise != 0) offset += -rise * corner_normal(f, k);
+  }
+  return flat + clamped(offset, LARGEST_OFFSET * data.length);
+}
+
+inline Mls_surface::Barycentric barycentric(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const Vector3 ab = b - a, ac = c - a, ap = p - a, n = cross(ab, ac);
+  const double area = squared_length(n);
+  if (!(area > 0)) return {1, 0, 0};
+  const double vb = dot(cross(ap, ac), n) / area, vc = dot(cross(ab, ap), n) / area;
+  return {1 - vb - vc, vb, vc};
+}
+
+// The coordinates of a point on an edge or at a vertex, where one or two of them are zero.
+inline Mls_surface::Barycentric barycentric(const Point_on_triangle& p, const Vector3& a, const Vector3& b,
+                                            const Vector3& c)
+{
+  const auto fraction = [&](const Vector3& s, const Vector3& t) {
+    const Vector3 e = t - s;
+    const double l = squared_length(e);
+    return l > 0 ? dot(p.point - s, e) / l : 0.;
+  };
+  double t;
+  switch (p.part) {
+  case Triangle_part::vertex_a: return {1, 0, 0};
+  case Triangle_part::vertex_b: return {0, 1, 0};
+  case Triangle_part::vertex_c: return {0, 0, 1};
+  case Triangle_part::edge_ab: t = fraction(a, b); return {1 - t, t, 0};
+  case Triangle_part::edge_bc: t = fraction(b, c); return {0, 1 - t, t};
+  case Triangle_part::edge_ca: t = fraction(c, a); return {t, 0, 1 - t};
+  default: return barycentric(p.point, a, b, c);
+  }
+}
+
+inline Mls_surface::Barycentric Mls_surface::barycentric_of(Index f, const Point_on_triangle& p) const
+{
+  return barycentric(p, corner(f, 0), corner(f, 1), corner(f, 2));
+}
+
+// Whether the point b of face f lies on one of the features, up to rounding.
+inline bool Mls_surface::is_on_feature(Index f, const Barycentric& b) const
+{
+  constexpr double ROUNDING = 1e-9;
+  const std::uint32_t features = faces_[f].features;
+  if (features == 0) return false;
+  for (int k = 0; k < 3; ++k) {
+    if ((features >> k & 1) && b[k == 0 ? 2 : k - 1] <= ROUNDING) return true;    // the corner opposite to edge k
+    if ((features >> (3 + k) & 1) && b[k] >= 1 - ROUNDING) return true;
+  }
+  return false;
+}
+
+inline Vector3 Mls_surface::project(const Vector3& q, Index f, const Point_on_triangle& closest) const
+{
+  const Barycentric b = barycentric_of(f, closest);
+  const Vector3 p = point(f, b);
+  if (is_on_feature(f, b)) return p;
+  const Vector3 n = normal(f, b);
+  const double square = squared_length(n);
+  if (square < 0.25) return p;
+  const Vector3 moved = q + (dot(p - q, n) / square) * n;
+  const double bound = LARGEST_STEP * faces_[f].length;
+  return squared_distance(moved, p) <= bound * bound ? moved : p;
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_MLS_SURFACE_H
