@@ -18,6 +18,7 @@ An exception ends the run, passes through, and leaves the user's mesh as it was;
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Inter_angle_remeshing::Closest_point_projector}
+\cgalHasModels{CGAL::Inter_angle_remeshing::MLS_projector}
 \cgalHasModelsEnd
 */
 class RemeshingProjector

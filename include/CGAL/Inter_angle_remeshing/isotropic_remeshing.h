@@ -97,10 +97,11 @@ number of faces of the range and of the result, per iteration.
     \cgalParamDescription{what pulls vertices back: `Point_3 operator()(const Point_3&) const`, called concurrently with
                           `Parallel_tag`; or, as in %Polygon_mesh_processing, `Point_3 operator()(vertex_descriptor) const`,
                           called by one thread, always with the same vertex of the range, whose point is set for the
-                          call and restored in the end: it may read nothing else. `Closest_point_projector` runs
-                          from warm starts. Hand functors with a state over by `std::ref`.}
+                          call and restored in the end: it may read nothing else. `Closest_point_projector` and
+                          `MLS_projector` run from warm starts. Hand functors with a state over by `std::ref`.}
     \cgalParamType{a model of `RemeshingProjector`}
-    \cgalParamDefault{onto the closest point of the range as it was, starting from where the vertex was}
+    \cgalParamDefault{onto the closest point of the range as it was where its faces have mean edge lengths of up to 1.5
+                      target lengths, onto the surface of `MLS_projector` from 2.5 on, smooth in between}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{edges that are never flipped. They may be split and collapsed along straight stretches; their
