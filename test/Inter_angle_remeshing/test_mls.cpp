@@ -7,6 +7,9 @@
 #include <CGAL/Inter_angle_remeshing/Projection/MLS_projector.h>
 #include <CGAL/Inter_angle_remeshing/Projection/Upsampled_point_set.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
+#ifdef CGAL_EIGEN3_ENABLED
+#  include <CGAL/Inter_angle_remeshing/Projection/Point_set_MLS_projector.h>
+#endif
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
@@ -414,8 +417,6 @@ void samples_lie_on_the_surface()
     CHECK(n == 7);
 }
 
-// --- runs ---------------------------------------------------------------------------------------------------------
-
 template <class Error>
 double mean_error(const Mesh& m, const Error& error)
 {
@@ -424,6 +425,89 @@ double mean_error(const Mesh& m, const Error& error)
     sum += error(m.point(v));
   return sum / double(m.number_of_vertices());
 }
+
+// --- point sets ---------------------------------------------------------------------------------------------------
+
+#ifdef CGAL_EIGEN3_ENABLED
+using Point_set_mls = IAR::Point_set_MLS_projector<Point>;
+
+void the_papers_letter_meets_smooth_surfaces()
+{
+  const Mesh m = to_mesh<Mesh>(sphere(3));
+  const Point_set_mls projector{Samples(m)};
+  const Facets facets(m);
+  double of_mls = 0, of_facets = 0;
+  for_points_near(m, 4, .1, [&](const Point& p) {
+    const Point q = projector.project(p);
+    CHECK(projector(p) == q);
+    of_mls += distance_from_sphere(q);
+    of_facets += distance_from_sphere(facets.project(p));
+  });
+  CHECK_MESSAGE(of_facets > 20 * of_mls, of_facets / of_mls);
+
+  // in a run, from several threads
+  Mesh fine = m;
+  IAR::isotropic_remeshing<CGAL::Parallel_if_available_tag>(faces(m), mean_edge_length(m) / 3, fine,
+                                                            parameters::projection_functor(std::cref(projector)));
+  CHECK(mean_error(fine, distance_from_sphere) < 5e-4);
+}
+
+// A scan: random points with normals, no mesh.
+void a_point_set_is_enough()
+{
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  std::vector<std::pair<Point, Vector>> scan;
+  for(int i = 0; i < 4000; ++i)
+  {
+    Vector v(normal(random), normal(random), normal(random));
+    v = v / std::sqrt(v.squared_length());
+    scan.emplace_back(CGAL::ORIGIN + v, v);
+  }
+  for(const unsigned degree : {1, 2, 3, 4})
+  {
+    const Point_set_mls projector(scan, 30, degree);
+    double worst = 0;
+    for(int i = 0; i < 500; ++i)
+      worst = std::max(worst, distance_from_sphere(projector.project(scan[8 * i].first + .05 * scan[8 * i].second)));
+    CHECK_MESSAGE(worst < (degree == 1 ? 1e-2 : 3e-3), degree << ": " << worst);
+  }
+  const Point_set_mls wide(scan, 30, 2, .2);
+  CHECK(distance_from_sphere(wide.project(Point(1.05, 0, 0))) < 3e-3);
+}
+
+void point_sets_that_are_none_are_refused()
+{
+  using Scan = std::vector<std::pair<Point, Vector>>;
+  const Scan one(1, {Point(1, 2, 3), Vector(0, 0, 1)});
+  CHECK_THROWS_WITH_TEXT(Point_set_mls{Scan()}, CGAL::Precondition_exception, "no point");
+  CHECK_THROWS_WITH_TEXT(Point_set_mls(one, 5), CGAL::Precondition_exception, "k is 5");
+  CHECK_THROWS_WITH_TEXT(Point_set_mls(one, 20, 5), CGAL::Precondition_exception, "degree");
+  CHECK_THROWS_WITH_TEXT(Point_set_mls(one, 20, 2, -1), CGAL::Precondition_exception, "bandwidth");
+  const Scan bad(1, {Point(1, std::numeric_limits<double>::quiet_NaN(), 3), Vector(0, 0, 1)});
+  CHECK_THROWS_WITH_TEXT(Point_set_mls{bad}, CGAL::Precondition_exception, "not finite");
+  // one point has a tangent plane; equal points, too
+  CHECK(distance(Point_set_mls(one).project(Point(0, 0, 0)), Point(0, 0, 3)) < 1e-15);
+  CHECK(distance(Point_set_mls(Scan(100, one[0])).project(Point(0, 0, 0)), Point(0, 0, 3)) < 1e-15);
+}
+
+void sharp_models_stay_near()
+{
+  for(const char* name : {"fandisk", "joint", "degtri_sliding"})
+  {
+    Mesh m;
+    CHECK(PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + std::string(name) + ".off"), m));
+    if(is_small_run() && m.number_of_faces() > 3000)
+      continue;
+    const Samples samples(m);
+    const Point_set_mls projector(samples);
+    for(const auto v : m.vertices())
+      CHECK_MESSAGE(is_finite(projector.project(m.point(v))), name);
+  }
+}
+#endif
+
+// --- runs ---------------------------------------------------------------------------------------------------------
 
 void a_coarse_mesh_becomes_a_fine_surface()
 {
@@ -438,6 +522,22 @@ void a_coarse_mesh_becomes_a_fine_surface()
   CHECK_MESSAGE(mean_error(facets, distance_from_sphere) > 30 * error, mean_error(facets, distance_from_sphere) / error);
   CHECK_MESSAGE(mean_error(theirs, distance_from_sphere) > 30 * error, mean_error(theirs, distance_from_sphere) / error);
   CHECK(mean_error(facets, distance_from_sphere) > 30 * mean_error(by_mls, distance_from_sphere));
+}
+
+// It keeps to the up-sampled point set, and asks for Eigen where that is not there.
+void the_paper_preset_keeps_to_the_point_set()
+{
+  const Mesh coarse = to_mesh<Mesh>(sphere(3));
+  Mesh fine = coarse;
+  const auto run = [&]() {
+    IAR::isotropic_remeshing(faces(fine), mean_edge_length(coarse) / 3, fine, IAR::recipe(IAR::Recipe::paper()));
+  };
+#ifdef CGAL_EIGEN3_ENABLED
+  run();
+  CHECK(mean_error(fine, distance_from_sphere) < 5e-4);   // the facets are 5e-3 off
+#else
+  CHECK_THROWS_WITH_TEXT(run(), CGAL::Precondition_exception, "Eigen");
+#endif
 }
 
 // Where the target is about as long as the input's edges, the facets rule.
@@ -483,7 +583,14 @@ int main()
   a_query_keeps_to_its_sheet();
   threads_get_the_same_points();
   samples_lie_on_the_surface();
+#ifdef CGAL_EIGEN3_ENABLED
+  the_papers_letter_meets_smooth_surfaces();
+  a_point_set_is_enough();
+  point_sets_that_are_none_are_refused();
+  sharp_models_stay_near();
+#endif
   a_coarse_mesh_becomes_a_fine_surface();
+  the_paper_preset_keeps_to_the_point_set();
   at_its_own_length_a_mesh_keeps_to_its_facets();
   both_functions_take_the_projector();
   return result();

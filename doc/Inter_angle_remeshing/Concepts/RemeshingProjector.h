@@ -19,6 +19,7 @@ An exception ends the run, passes through, and leaves the user's mesh as it was;
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Inter_angle_remeshing::Closest_point_projector}
 \cgalHasModels{CGAL::Inter_angle_remeshing::MLS_projector}
+\cgalHasModels{CGAL::Inter_angle_remeshing::Point_set_MLS_projector}
 \cgalHasModelsEnd
 */
 class RemeshingProjector

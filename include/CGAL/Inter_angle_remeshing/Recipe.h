@@ -36,6 +36,13 @@ struct Recipe
     paper       ///< all rules, as printed
   };
 
+  /// which surface the result approximates where the user hands no projector over
+  enum class Surface
+  {
+    measured,   ///< facets, or the surface of `MLS_projector` where they are much longer than the target
+    paper       ///< that of `Point_set_MLS_projector` on the `Upsampled_point_set` of the range; needs Eigen
+  };
+
   /// edges longer than this many target lengths are split; in (1, 2]. The classic value is 4/3; with 1.3 the mean edge
   /// of the result lies as far under the target as that of %Polygon_mesh_processing's function does.
   double split_ratio = 1.3;
@@ -68,9 +75,11 @@ struct Recipe
   double upper_angle = 85;
   /// which policies rule where the user hands none over
   Policies policies = Policies::measured;
+  /// which surface the result approximates where the user hands no projector over
+  Surface surface = Surface::measured;
 
   /// the rules of Zheng and Lv (ICIG 2025) as printed: all of their split, collapse and flip conditions, λ = 0.5,
-  /// area weights, one sweep an iteration, no glides, no clean-up
+  /// area weights, one sweep an iteration, no glides, no clean-up, and moving least squares on the up-sampled input
   static Recipe paper()
   {
     Recipe r;
@@ -82,6 +91,7 @@ struct Recipe
     r.glide_depth = 0;
     r.clean_up = false;
     r.policies = Policies::paper;
+    r.surface = Surface::paper;
     return r;
   }
 };

@@ -14,12 +14,29 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <functional>
+
 // The projectors that passes see: `Vector3 operator()(const Vector3& q, Index& hint) const`, in the units of the flat
 // mesh. `hint` is the face where a walk starts and ends; projectors that know no faces leave it alone.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
+
+// What a functor of the user's returned; the run ends where that is no point.
+inline Vector3 to_finite_vector(const Vector3& v)
+{
+  if (!is_finite(v))
+    throw CGAL::Postcondition_exception("Inter_angle_remeshing", "projection_functor", __FILE__, __LINE__,
+                                        "the projection functor returned a point that is not finite");
+  return v;
+}
+
+template <class Point_3>
+Vector3 to_finite_vector(const Point_3& p)
+{
+  return to_finite_vector(Vector3{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+}
 
 // Onto the surface near the hint: the closest point on its facets, a point of the MLS surface over them, or one in
 // between, as the length of the facet says.
@@ -32,10 +49,14 @@ struct Surface_projection
   const Mls_surface* mls = nullptr;      // none: the facets
   double facet_length = 0;               // mean edge length of a face, up to which its facet counts,
   double smooth_length = 0;              // and from which on the MLS surface counts alone
+  // Rules where it is given, in the surface's units; the walk then serves for the hint alone.
+  const std::function<Vector3(const Vector3&)>* rule = nullptr;
 
   Vector3 operator()(const Vector3& q, Corner_table::Index& hint) const
   {
-    return (1 / factor) * (mls == nullptr ? surface.walk(factor * q, hint) : smooth_point(factor * q, hint));
+    if (mls != nullptr) return (1 / factor) * smooth_point(factor * q, hint);
+    const Vector3 closest = surface.walk(factor * q, hint);
+    return (1 / factor) * (rule == nullptr ? closest : to_finite_vector((*rule)(factor * q)));
   }
   Vector3 smooth_point(const Vector3& q, Corner_table::Index& hint) const
   {
@@ -74,17 +95,6 @@ struct No_projection
   bool is_compatible(Corner_table::Index, const Vector3&) const { return true; }
   bool is_opposite(Corner_table::Index, const Vector3&) const { return false; }
 };
-
-// What a functor of the user's returned; the run ends where that is no point.
-template <class Point_3>
-Vector3 to_finite_vector(const Point_3& p)
-{
-  const Vector3 v{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-  if (!is_finite(v))
-    throw CGAL::Postcondition_exception("Inter_angle_remeshing", "projection_functor", __FILE__, __LINE__,
-                                        "the projection functor returned a point that is not finite");
-  return v;
-}
 
 // By a functor of the user's that takes a point.
 template <class Functor, class Point_3>

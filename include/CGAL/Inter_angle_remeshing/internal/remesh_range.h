@@ -11,12 +11,19 @@
 #include <CGAL/Inter_angle_remeshing/internal/mesh_exchange.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
+#include <CGAL/Inter_angle_remeshing/internal/upsampling.h>
 #include <CGAL/Inter_angle_remeshing/target_edge_length.h>
+
+#include <CGAL/Simple_cartesian.h>
+#ifdef CGAL_EIGEN3_ENABLED
+#  include <CGAL/Inter_angle_remeshing/Projection/Point_set_MLS_projector.h>
+#endif
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -202,6 +209,27 @@ struct Default_surface
   double target_length;
 };
 
+// The surface of the paper: MLS on the up-sampled facets.
+inline std::function<Vector3(const Vector3&)> paper_surface(const Reference_surface& facets)
+{
+#ifdef CGAL_EIGEN3_ENABLED
+  using Point = CGAL::Simple_cartesian<double>::Point_3;
+  using Vector = CGAL::Simple_cartesian<double>::Vector_3;
+  std::vector<std::pair<Point, Vector>> samples;
+  for_each_sample(Mls_surface(facets), [&](const Surface_sample& s) {
+    samples.emplace_back(Point(s.point.x, s.point.y, s.point.z), Vector(s.normal.x, s.normal.y, s.normal.z));
+  });
+  if (samples.empty()) return {};
+  return [projector = Point_set_MLS_projector<Point>(samples)](const Vector3& q) {
+    const Point p = projector.project(Point(q.x, q.y, q.z));
+    return Vector3{p.x(), p.y(), p.z()};
+  };
+#else
+  (void)facets;
+  refuse(REMESHING, "Recipe::Surface::paper, as in Recipe::paper(), needs Eigen: define CGAL_EIGEN3_ENABLED");
+#endif
+}
+
 // Runs the remesher with the projector that the functor asks for. A wanted number of faces is one of the surface that
 // the result lies on: the target length follows its area.
 template <class ConcurrencyTag, class Parameters, class Exchange, class Run>
@@ -214,6 +242,14 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
   using Functor = std::decay_t<decltype(functor)>;
   if (!parameters.does_project) return run(No_projection());
   if constexpr (std::is_same<Functor, No_map>::value) {
+    if (parameters.recipe.surface == Recipe::Surface::paper) {
+      const Reference_surface facets(mesh);
+      const auto rule = paper_surface(facets);
+      start_where_vertices_are(mesh);
+      Surface_projection projection{facets};
+      if (rule) projection.rule = &rule;
+      return run(projection);
+    }
     const Default_surface surface(mesh, target);
     start_where_vertices_are(mesh);
     if (parameters.schedule.wanted_faces > 0) target *= std::sqrt(surface.area_ratio());
