@@ -19,8 +19,9 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// Edges with a larger dihedral angle are features of the surface: 40 degrees. Border and constrained edges are, too.
-constexpr double MLS_FEATURE_COSINE = 0.766044443118978;
+// Edges with a larger dihedral angle are features of the surface: 44 degrees, which keeps chamfers of 45, and tells coarse
+// models of curved surfaces from sharp ones better than 40. Border and constrained edges are features, too.
+constexpr double MLS_FEATURE_COSINE = 0.7193398003386512;
 
 inline double mean_edge_length(const Reference_surface& surface, Reference_surface::Index f)
 {
@@ -44,10 +45,8 @@ public:
   using Index = Reference_surface::Index;
   using Barycentric = std::array<double, 3>;
 
-  // Fits the normals of the faces for which `is_needed(f)` holds; on the other ones the surface is the triangle.
-  template <class Predicate>
-  Mls_surface(const Reference_surface& surface, const Predicate& is_needed);
-  explicit Mls_surface(const Reference_surface& surface) : Mls_surface(surface, [](Index) { return true; }) {}
+  // Of the faces whose mean edge length is over `least_length`; on the other ones the surface is the triangle.
+  explicit Mls_surface(const Reference_surface& surface, double least_length = -1);
 
   const Reference_surface& reference_surface() const { return *surface_; }
 
@@ -75,7 +74,7 @@ public:
   Vector3 project(const Vector3& q, Index f, const Point_on_triangle& closest) const;
 
   bool is_feature(Index h) const { return (faces_[h >> 2].features >> (h & 3) & 1) != 0; }
-  double mean_edge_length(Index f) const { return faces_[f].length; }
+  double mean_edge_length(Index f) const { return lengths_[f]; }
 
   // Bounds, in mean edge lengths of the face: of the distance from P(b) to the face, and from P(b) to a projection.
   static constexpr double LARGEST_OFFSET = 0.15, LARGEST_STEP = 0.3;
@@ -86,7 +85,6 @@ private:
     Index sector[3] = {-1, -1, -1};          // of the corners; -1: no normal
     // Of the smooth edges from corner k to the next and the one before: d = -rise n.
     float rise[3][2] = {{0, 0}, {0, 0}, {0, 0}};
-    float length = 0;                        // mean of the edges
     std::uint32_t features = 0;              // a bit for each edge on a feature, then one for each such vertex
   };
 
@@ -107,11 +105,11 @@ private:
   const Vector3& corner(Index f, int k) const { return surface_->position(surface_->face_record(f).vertex[k]); }
 
   bool is_on_feature(Index f, const Barycentric& b) const;
+  void find_lengths(double least_length);
   void find_features();
   bool is_sharp(Index h) const;
   void find_tangents();
-  template <class Predicate>
-  void fit_sectors(const Predicate& is_needed);
+  void fit_sectors();
   void fit_fan(Index first, std::vector<Vector3>& offsets);
   void fit_sector(const std::vector<Index>& sector, std::vector<Vector3>& offsets);
   void find_rises();
@@ -120,18 +118,35 @@ private:
 
   const Reference_surface* surface_;
   std::vector<Face_data> faces_;
+  std::vector<float> lengths_;               // mean of the edges, by face
+  // Only what the curved faces need is found: the features and normals around their corners.
+  std::vector<Index> curved_;
+  std::vector<char> is_corner_;              // by vertex: of a curved face
   std::vector<Vector3> normals_;             // unit, by sector
   std::vector<Vector3> tangents_;            // unit, by vertex on a feature; zero at corners
 };
 
-template <class Predicate>
-Mls_surface::Mls_surface(const Reference_surface& surface, const Predicate& is_needed)
+inline Mls_surface::Mls_surface(const Reference_surface& surface, double least_length)
   : surface_(&surface), faces_(surface.number_of_faces())
 {
+  find_lengths(least_length);
   find_features();
   find_tangents();
-  fit_sectors(is_needed);
+  fit_sectors();
   find_rises();
+}
+
+inline void Mls_surface::find_lengths(double least_length)
+{
+  is_corner_.assign(surface_->number_of_vertices(), 0);
+  lengths_.resize(faces_.size());
+  for (Index f = 0; f < Index(faces_.size()); ++f) {
+    const double l = internal::mean_edge_length(*surface_, f);
+    lengths_[f] = float(l);
+    if (!(l > least_length)) continue;
+    curved_.push_back(f);
+    for (int k = 0; k < 3; ++k) is_corner_[surface_->origin(4 * f + k)] = 1;
+  }
 }
 
 inline bool Mls_surface::is_sharp(Index h) const
@@ -147,17 +162,16 @@ inline bool Mls_surface::is_sharp(Index h) const
 
 inline void Mls_surface::find_features()
 {
-  for (Index f = 0; f < Index(faces_.size()); ++f) {
-    faces_[f].length = float(internal::mean_edge_length(*surface_, f));
+  for (Index f = 0; f < Index(faces_.size()); ++f)
     for (int k = 0; k < 3; ++k) {
       const Index h = 4 * f + k, o = surface_->opposite(h);
+      if (!is_corner_[surface_->origin(h)] && !is_corner_[surface_->target(h)]) continue;
       if (o >= 0 && o < h) continue;
       const bool is_constrained = (surface_->face_record(f).edge_flags & (Remeshing_mesh::CONSTRAINED << k)) != 0;
       if (o >= 0 && !is_constrained && !is_sharp(h)) continue;
       faces_[f].features |= 1u << k;
       if (o >= 0) faces_[o >> 2].features |= 1u << (o & 3);
     }
-  }
 }
 
 // The tangent at a vertex between two feature edges that turn by less than 45 degrees, the nearer one counting more.
@@ -169,6 +183,7 @@ inline void Mls_surface::find_tangents()
   for (Index f = 0; f < Index(faces_.size()); ++f)
     for (int k = 0; k < 3; ++k) {
       const Index h = 4 * f + k, o = surface_->opposite(h);
+      if (faces_[f].features == 0) break;
       if (!is_feature(h) || (o >= 0 && o < h)) continue;
       const Index ends[2] = {surface_->origin(h), surface_->target(h)};
       for (int e = 0; e < 2; ++e) {
@@ -177,7 +192,7 @@ inline void Mls_surface::find_tangents()
         ++a.count;
       }
     }
-  for (Index f = 0; f < Index(faces_.size()); ++f)
+  for (const Index f : curved_)
     for (int k = 0; k < 3; ++k)
       if (arms[surface_->origin(4 * f + k)].count > 0) faces_[f].features |= 8u << k;
   tangents_.assign(surface_->number_of_vertices(), Vector3());
@@ -189,20 +204,16 @@ inline void Mls_surface::find_tangents()
   }
 }
 
-template <class Predicate>
-void Mls_surface::fit_sectors(const Predicate& is_needed)
+inline void Mls_surface::fit_sectors()
 {
   std::vector<Vector3> offsets;
   std::vector<char> is_done(surface_->number_of_vertices(), 0);
-  normals_.reserve(surface_->number_of_vertices());
-  for (Index f = 0; f < Index(faces_.size()); ++f) {
-    if (!is_needed(f)) continue;
+  for (const Index f : curved_)
     for (int k = 0; k < 3; ++k) {
       char& is_fan_done = is_done[surface_->origin(4 * f + k)];
       if (!is_fan_done) fit_fan(surface_->fan_start(4 * f + k), offsets);
       is_fan_done = 1;
     }
-  }
 }
 
 // The faces around a vertex, cut at the features into sectors.
@@ -262,7 +273,7 @@ inline void Mls_surface::fit_sector(const std::vector<Index>& sector, std::vecto
 
 inline void Mls_surface::find_rises()
 {
-  for (Index f = 0; f < Index(faces_.size()); ++f)
+  for (const Index f : curved_)
     for (int k = 0; k < 3; ++k) {
       const Vector3 n = corner_normal(f, k);
       for (int side = 0; side < 2; ++side) {
@@ -298,7 +309,7 @@ inline Vector3 Mls_surface::point(Index f, const Barycentric& b) const
     else rise += to_before * data.rise[k][1];
     if (rise != 0) offset += -rise * corner_normal(f, k);
   }
-  return flat + clamped(offset, LARGEST_OFFSET * data.length);
+  return flat + clamped(offset, LARGEST_OFFSET * lengths_[f]);
 }
 
 inline Mls_surface::Barycentric barycentric(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c)
@@ -358,7 +369,7 @@ inline Vector3 Mls_surface::project(const Vector3& q, Index f, const Point_on_tr
   const double square = squared_length(n);
   if (square < 0.25) return p;
   const Vector3 moved = q + (dot(p - q, n) / square) * n;
-  const double bound = LARGEST_STEP * faces_[f].length;
+  const double bound = LARGEST_STEP * lengths_[f];
   return squared_distance(moved, p) <= bound * bound ? moved : p;
 }
 

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -60,6 +61,8 @@ public:
   // looks the same way (the angle between the normals is under 90 degrees) wins over the closest one of all,
   // if there is one not further than twice as far away plus an edge length.
   Vector3 locate(const Vector3& q, Index& f, const Vector3& normal = Vector3()) const;
+  // The same by looking at every face: for a few queries that is cheaper than to build a search structure.
+  Vector3 locate_by_scan(const Vector3& q, Index& f, const Vector3& normal) const;
 
 private:
   using Kernel = CGAL::Simple_cartesian<double>;
@@ -92,6 +95,11 @@ private:
 
   using Tree = CGAL::AABB_tree<AABB_traits<Kernel, Face_primitive>>;
 
+  // How far away from q a face may be that looks the right way and wins over f, on which the closest point lies.
+  double compatible_radius(const Vector3& q, const Vector3& closest, Index f) const
+  {
+    return 2 * std::sqrt(squared_distance(q, closest)) + std::sqrt(std::sqrt(squared_length(cross_product(f))));
+  }
   Kernel::Point_3 point(Index v) const { return {position_[v].x, position_[v].y, position_[v].z}; }
   const Tree& tree() const;
   bool walk_around_vertex(const Vector3& q, Index h, Index& f, Point_on_triangle& best, double& distance) const;
@@ -168,6 +176,26 @@ inline const Reference_surface::Tree& Reference_surface::tree() const
   return *tree_;
 }
 
+inline Vector3 Reference_surface::locate_by_scan(const Vector3& q, Index& f, const Vector3& normal) const
+{
+  struct Best { Vector3 point; Index face = 0; double distance = (std::numeric_limits<double>::infinity)(); };
+  Best closest, compatible;
+  for (Index g = 0; g < Index(number_of_faces()); ++g) {
+    const Vector3 c = cross_product(g);
+    if (!(squared_length(c) > 0)) continue;
+    const Vector3 p = closest_point_on_face(q, g).point;
+    const double d = squared_distance(q, p);
+    if (d < closest.distance) closest = {p, g, d};
+    if (d < compatible.distance && dot(c, normal) > 0) compatible = {p, g, d};
+  }
+  if (closest.distance == (std::numeric_limits<double>::infinity)()) return locate(q, f, normal);
+  const double radius = compatible_radius(q, closest.point, closest.face);
+  const bool is_compatible_near = normal != Vector3() && compatible.distance < radius * radius;
+  const Best& best = is_compatible_near ? compatible : closest;
+  f = best.face;
+  return best.point;
+}
+
 inline Vector3 Reference_surface::locate(const Vector3& q, Index& f, const Vector3& normal) const
 {
   if (tree().empty()) { // nothing but degenerate faces
@@ -179,8 +207,7 @@ inline Vector3 Reference_surface::locate(const Vector3& q, Index& f, const Vecto
   const Vector3 closest = closest_point_on_face(q, f).point;
   if (normal == Vector3() || dot(cross_product(f), normal) > 0) return closest;
 
-  const double edge = std::sqrt(std::sqrt(squared_length(cross_product(f))));
-  const double radius = 2 * std::sqrt(squared_distance(q, closest)) + edge;
+  const double radius = compatible_radius(q, closest, f);
   std::vector<Index> near;
   tree().all_intersected_primitives(CGAL::Bbox_3(q.x - radius, q.y - radius, q.z - radius,
                                                  q.x + radius, q.y + radius, q.z + radius),

@@ -117,14 +117,22 @@ inline void find_hints(Remeshing_mesh& mesh, const Surface_projection& projectio
 {
   using Index = Remeshing_mesh::Index;
   constexpr double ON_SURFACE = 1e-20;          // squared distance; the extent of the mesh is about 1
+  constexpr int SCANS = 4;                      // building the search structure takes as long as some ten scans
+  int searches = 0;
   std::vector<char> is_found(mesh.number_of_vertex_slots(), 0);
-  std::vector<Index> queue;
+  std::vector<Index> queue, missed;
+  const auto is_reached_from = [&](Index v, Index hint) {
+    mesh.hint(v) = hint;
+    return squared_distance(projection(mesh.position(v), mesh.hint(v)), mesh.position(v)) <= ON_SURFACE;
+  };
   const auto search = [&](Index v) {
     Vector3 normal;
     mesh.for_each_around(v, [&](Index h) {
       normal += triangle_cross(mesh.position(v), mesh.position(mesh.target(h)), mesh.position(mesh.apex(h)));
     });
-    projection.surface.locate(projection.factor * mesh.position(v), mesh.hint(v), normal);
+    const Vector3 q = projection.factor * mesh.position(v);
+    if (++searches <= SCANS) projection.surface.locate_by_scan(q, mesh.hint(v), normal);
+    else projection.surface.locate(q, mesh.hint(v), normal);
   };
   for (Index seed = 0; seed < Index(mesh.number_of_vertex_slots()); ++seed) {
     if (!mesh.is_vertex(seed) || is_found[seed]) continue;
@@ -135,12 +143,18 @@ inline void find_hints(Remeshing_mesh& mesh, const Surface_projection& projectio
       const Index v = queue[i];
       mesh.for_each_neighbor(v, [&](Index u) {
         if (is_found[u]) return;
-        mesh.hint(u) = mesh.hint(v);
-        if (squared_distance(projection(mesh.position(u), mesh.hint(u)), mesh.position(u)) > ON_SURFACE) search(u);
+        if (!is_reached_from(u, mesh.hint(v))) missed.push_back(u);
         is_found[u] = 1;
         queue.push_back(u);
       });
     }
+  }
+  for (const Index v : missed) {
+    bool is_reached = false;
+    mesh.for_each_neighbor(v, [&](Index u) {
+      is_reached = is_reached || is_reached_from(v, mesh.hint(u));
+    });
+    if (!is_reached) search(v);
   }
 }
 
@@ -170,21 +184,24 @@ const Functor& referred(const Functor& functor) { return functor; }
 template <class Functor>
 const Functor& referred(const std::reference_wrapper<Functor>& functor) { return functor.get(); }
 
-// The default: facets where they are at most 3/2 as long as the target, for they are what the result is measured against;
-// the MLS surface where they are 5/2 as long, for there they would show; smooth between. Where no facet is that long, no
-// MLS surface is made.
+// The default: facets where they are at most twice as long as the target, for they are what the result is measured
+// against; the MLS surface where they are three times as long, for there they would show; smooth between. Where hardly any
+// facet is that long, the run is one at the input's own length, and the facets rule everywhere.
 struct Default_surface
 {
-  static constexpr double FACET_RATIO = 1.5, SMOOTH_RATIO = 2.5;
+  static constexpr double FACET_RATIO = 2, SMOOTH_RATIO = 3;
+  static constexpr double LEAST_SHARE = 0.05;       // of the area
 
   Default_surface(const Remeshing_mesh& mesh, double target) : facets(mesh), target_length(target)
   {
     if (!(target > 0)) return;
-    const auto is_coarse = [&](Remeshing_mesh::Index f) {
-      return mean_edge_length(facets, f) > FACET_RATIO * target;
-    };
-    for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()) && !smooth; ++f)
-      if (is_coarse(f)) smooth.emplace(facets, is_coarse);
+    double all = 0, long_ones = 0;
+    for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()); ++f) {
+      const double area = length(facets.cross_product(f));
+      all += area;
+      if (mean_edge_length(facets, f) > FACET_RATIO * target) long_ones += area;
+    }
+    if (long_ones > LEAST_SHARE * all) smooth.emplace(facets, FACET_RATIO * target);
   }
   Surface_projection projection() const
   {
