@@ -38,7 +38,7 @@ inline double mean_edge_length(const Reference_surface& surface, Reference_surfa
 //   P(b) = Σ b_i P_i + Σ_{i≠j} (b_i² b_j + ½ b_0 b_1 b_2) d_ij,   N(b) = Σ b_i n_i,
 //
 // where d_ij is what leads from the edge P_i P_j, at its end P_i, into the tangent plane or onto the tangent there.
-// Const after construction.
+// Const after construction; the reference surface must outlive it.
 class Mls_surface
 {
 public:
@@ -114,7 +114,6 @@ private:
   void fit_sector(const std::vector<Index>& sector, std::vector<Vector3>& offsets);
   void find_rises();
   Vector3 feature_offset(Index f, int from, int to) const;
-  Vector3 offset_by_features(Index f, const Barycentric& b, const std::array<std::array<double, 2>, 3>& weight) const;
 
   const Reference_surface* surface_;
   std::vector<Face_data> faces_;

@@ -203,6 +203,8 @@ struct Default_surface
     }
     if (long_ones > LEAST_SHARE * all) smooth.emplace(facets, FACET_RATIO * target);
   }
+  Default_surface(const Default_surface&) = delete;     // `smooth` refers to `facets`
+  Default_surface& operator=(const Default_surface&) = delete;
   Surface_projection projection() const
   {
     return {facets, 1, smooth ? &*smooth : nullptr, FACET_RATIO * target_length, SMOOTH_RATIO * target_length};
