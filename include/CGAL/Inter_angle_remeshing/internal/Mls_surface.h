@@ -22,6 +22,8 @@ namespace internal {
 // Edges with a larger dihedral angle are features of the surface: 44 degrees, which keeps chamfers of 45, and tells coarse
 // models of curved surfaces from sharp ones better than 40. Border and constrained edges are features, too.
 constexpr double MLS_FEATURE_COSINE = 0.7193398003386512;
+// Those with a dihedral angle of more than 120 degrees are folds.
+constexpr double MLS_FOLD_COSINE = -0.5;
 
 inline double mean_edge_length(const Reference_surface& surface, Reference_surface::Index f)
 {
@@ -37,7 +39,8 @@ inline double mean_edge_length(const Reference_surface& surface, Reference_surfa
 //
 //   P(b) = Σ b_i P_i + Σ_{i≠j} (b_i² b_j + ½ b_0 b_1 b_2) d_ij,   N(b) = Σ b_i n_i,
 //
-// where d_ij is what leads from the edge P_i P_j, at its end P_i, into the tangent plane or onto the tangent there.
+// where d_ij is what leads from the edge P_i P_j, at its end P_i, into the tangent plane or onto the tangent there. Faces
+// that touch a fold, where the surface turns back on itself, stay flat: bent, the two sides would run through each other.
 // Const after construction; the reference surface must outlive it.
 class Mls_surface
 {
@@ -107,12 +110,14 @@ private:
   bool is_on_feature(Index f, const Barycentric& b) const;
   void find_lengths(double least_length);
   void find_features();
-  bool is_sharp(Index h) const;
+  bool is_sharp(Index h, double cosine) const;
+  bool is_beside_fold(Index h) const;
   void find_tangents();
   void fit_sectors();
   void fit_fan(Index first, std::vector<Vector3>& offsets);
   void fit_sector(const std::vector<Index>& sector, std::vector<Vector3>& offsets);
   void find_rises();
+  double least_altitude(Index f) const;
   Vector3 feature_offset(Index f, int from, int to) const;
 
   const Reference_surface* surface_;
@@ -121,6 +126,7 @@ private:
   // Only what the curved faces need is found: the features and normals around their corners.
   std::vector<Index> curved_;
   std::vector<char> is_corner_;              // by vertex: of a curved face
+  std::vector<char> is_on_fold_;             // by vertex
   std::vector<Vector3> normals_;             // unit, by sector
   std::vector<Vector3> tangents_;            // unit, by vertex on a feature; zero at corners
 };
@@ -148,7 +154,8 @@ inline void Mls_surface::find_lengths(double least_length)
   }
 }
 
-inline bool Mls_surface::is_sharp(Index h) const
+// Whether the faces on both sides of h make a larger angle than that of the cosine.
+inline bool Mls_surface::is_sharp(Index h, double cosine) const
 {
   const auto cross_product_unless_degenerate = [&](Index f) {
     const Vector3 c = surface_->cross_product(f);
@@ -156,20 +163,24 @@ inline bool Mls_surface::is_sharp(Index h) const
   };
   const Vector3 m = cross_product_unless_degenerate(h >> 2),
                 n = cross_product_unless_degenerate(surface_->opposite(h) >> 2);
-  return m != Vector3() && n != Vector3() && !is_cosine_at_least(m, n, MLS_FEATURE_COSINE);
+  return m != Vector3() && n != Vector3() && !is_cosine_at_least(m, n, cosine);
 }
 
 inline void Mls_surface::find_features()
 {
+  is_on_fold_.assign(surface_->number_of_vertices(), 0);
   for (Index f = 0; f < Index(faces_.size()); ++f)
     for (int k = 0; k < 3; ++k) {
       const Index h = 4 * f + k, o = surface_->opposite(h);
       if (!is_corner_[surface_->origin(h)] && !is_corner_[surface_->target(h)]) continue;
       if (o >= 0 && o < h) continue;
       const bool is_constrained = (surface_->face_record(f).edge_flags & (Remeshing_mesh::CONSTRAINED << k)) != 0;
-      if (o >= 0 && !is_constrained && !is_sharp(h)) continue;
+      const bool is_angular = o >= 0 && is_sharp(h, MLS_FEATURE_COSINE);
+      if (o >= 0 && !is_constrained && !is_angular) continue;
       faces_[f].features |= 1u << k;
       if (o >= 0) faces_[o >> 2].features |= 1u << (o & 3);
+      if (is_angular && is_sharp(h, MLS_FOLD_COSINE))
+        is_on_fold_[surface_->origin(h)] = is_on_fold_[surface_->target(h)] = 1;
     }
 }
 
@@ -270,12 +281,21 @@ inline void Mls_surface::fit_sector(const std::vector<Index>& sector, std::vecto
   normals_.push_back(fit_normal(offsets, (1 / l) * sum, scale));
 }
 
+// Whether one of the faces at h touches a fold.
+inline bool Mls_surface::is_beside_fold(Index h) const
+{
+  const Index across = surface_->opposite(h);
+  return is_on_fold_[surface_->origin(h)] || is_on_fold_[surface_->target(h)] || is_on_fold_[surface_->apex(h)] ||
+         (across >= 0 && is_on_fold_[surface_->apex(across)]);
+}
+
 inline void Mls_surface::find_rises()
 {
   for (const Index f : curved_)
     for (int k = 0; k < 3; ++k) {
       const Vector3 n = corner_normal(f, k);
       for (int side = 0; side < 2; ++side) {
+        if (is_beside_fold(4 * f + (k + 2 * side) % 3)) continue;
         const Vector3 e = corner(f, (k + 1 + side) % 3) - corner(f, k);
         const double bound = STEEPEST * length(e);
         faces_[f].rise[k][side] = float((std::max)(-bound, (std::min)(bound, dot(e, n))));
@@ -283,13 +303,23 @@ inline void Mls_surface::find_rises()
     }
 }
 
-// d for a feature edge.
+inline double Mls_surface::least_altitude(Index f) const
+{
+  const double longest = (std::max)({squared_length(corner(f, 1) - corner(f, 0)), squared_length(corner(f, 2) - corner(f, 1)),
+                                     squared_length(corner(f, 0) - corner(f, 2))});
+  return longest > 0 ? length(surface_->cross_product(f)) / std::sqrt(longest) : 0;
+}
+
+// d for a feature edge. The curve must not cross the faces beside it, which may be thinner than it is high.
 inline Vector3 Mls_surface::feature_offset(Index f, int from, int to) const
 {
   const Vector3& t = tangents_[surface_->face_record(f).vertex[from]];
   if (t == Vector3()) return {};
   const Vector3 e = corner(f, to) - corner(f, from);
-  return clamped(dot(t, e) * t - e, STEEPEST * length(e));
+  const Index across = surface_->opposite(4 * f + (to == (from + 1) % 3 ? from : to));
+  double bound = (std::min)(STEEPEST * length(e), least_altitude(f));
+  if (across >= 0) bound = (std::min)(bound, least_altitude(across >> 2));
+  return clamped(dot(t, e) * t - e, bound);
 }
 
 inline Vector3 Mls_surface::point(Index f, const Barycentric& b) const
