@@ -164,7 +164,7 @@ private:
       if(mesh_.is_protected(h))
         expect(mesh_.is_locked(a) && mesh_.is_locked(b), "a protected edge with ends that are not locked", h);
     }
-    expect(record.edge_flags < 64, "flags of no edge", f);
+    expect(record.edge_flags < 512, "flags of no edge", f);
   }
 
   // One fan, of all corners that the vertex has, begun where the border begins it.

@@ -230,12 +230,13 @@ Remeshing_report isotropic_remeshing(const FaceRange& faces, const Length& lengt
                                   choose_parameter(get_parameter(np, tags::verbose), false)},
                internal::Constraint_settings{
                  internal::sharpness_cosine(choose_parameter(get_parameter(np, tags::sharpness_angle), 180)),
-                 choose_parameter(get_parameter(np, tags::protect_constraints), false)},
+                 choose_parameter(get_parameter(np, tags::protect_constraints), false),
+                 choose_parameter(get_parameter(np, tags::relax_constraints), true),
+                 !internal::has_parameter<CGAL_NP_CLASS, tags::edge_is_constrained_t>() &&
+                   !internal::has_parameter<CGAL_NP_CLASS, tags::sharpness_angle_t>()},
                choose_parameter(get_parameter(np, tags::collapse_constraints), true),
                choose_parameter(get_parameter(np, tags::do_project), true)};
   internal::set_sweeps(parameters.recipe, get_parameter(np, tags::number_of_relaxation_steps));
-  if (choose_parameter(get_parameter(np, tags::relax_constraints), false))
-    internal::refuse(internal::REMESHING, "relax_constraints(true) is not supported yet: ends of constrained edges stay");
   return internal::remesh_range<ConcurrencyTag>(faces, length, tmesh, parameters);
 }
 

@@ -62,7 +62,7 @@ public:
   {
     const auto copy = internal::copy_whole_surface(tmesh, vpm, "Upsampled_point_set::Upsampled_point_set()");
     const internal::Reference_surface surface(copy.mesh);
-    const internal::Mls_surface mls(surface);
+    const internal::Mls_surface mls(surface, internal::find_features(copy.mesh));
     points_.reserve(internal::SAMPLES_A_FACE * copy.faces.size());
     places_.reserve(internal::SAMPLES_A_FACE * copy.faces.size());
     internal::for_each_sample(mls, [&](const internal::Surface_sample& s) {

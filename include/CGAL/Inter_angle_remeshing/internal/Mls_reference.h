@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_MLS_REFERENCE_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Mls_surface.h>
+#include <CGAL/Inter_angle_remeshing/internal/feature_detection.h>
 #include <CGAL/Inter_angle_remeshing/internal/Sample_tree.h>
 #include <CGAL/Inter_angle_remeshing/internal/upsampling.h>
 
@@ -23,7 +24,7 @@ class Mls_reference
 public:
   using Index = Reference_surface::Index;
 
-  explicit Mls_reference(const Remeshing_mesh& mesh) : surface_(mesh), mls_(surface_) {}
+  explicit Mls_reference(const Remeshing_mesh& mesh) : surface_(mesh), mls_(surface_, find_features(mesh)) {}
   Mls_reference(const Mls_reference&) = delete;
   Mls_reference& operator=(const Mls_reference&) = delete;
 

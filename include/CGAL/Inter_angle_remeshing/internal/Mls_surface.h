@@ -19,10 +19,7 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// Edges with a larger dihedral angle are features of the surface: 44 degrees, which keeps chamfers of 45, and tells coarse
-// models of curved surfaces from sharp ones better than 40. Border and constrained edges are features, too.
-constexpr double MLS_FEATURE_COSINE = 0.7193398003386512;
-// Those with a dihedral angle of more than 120 degrees are folds.
+// Edges with a dihedral angle of more than 120 degrees are folds.
 constexpr double MLS_FOLD_COSINE = -0.5;
 
 inline double mean_edge_length(const Reference_surface& surface, Reference_surface::Index f)
@@ -48,8 +45,9 @@ public:
   using Index = Reference_surface::Index;
   using Barycentric = std::array<double, 3>;
 
-  // Of the faces whose mean edge length is over `least_length`; on the other ones the surface is the triangle.
-  explicit Mls_surface(const Reference_surface& surface, double least_length = -1);
+  // Of the faces whose mean edge length is over `least_length`; on the other ones the surface is the triangle. Features are
+  // the border, constrained edges, and those of the half-edges `creases`.
+  Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_length = -1);
 
   const Reference_surface& reference_surface() const { return *surface_; }
 
@@ -109,8 +107,8 @@ private:
 
   bool is_on_feature(Index f, const Barycentric& b) const;
   void find_lengths(double least_length);
-  void find_features();
-  bool is_sharp(Index h, double cosine) const;
+  void find_features(const std::vector<Index>& creases);
+  bool is_fold(Index h) const;
   bool is_beside_fold(Index h) const;
   void find_tangents();
   void fit_sectors();
@@ -131,11 +129,11 @@ private:
   std::vector<Vector3> tangents_;            // unit, by vertex on a feature; zero at corners
 };
 
-inline Mls_surface::Mls_surface(const Reference_surface& surface, double least_length)
+inline Mls_surface::Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_length)
   : surface_(&surface), faces_(surface.number_of_faces())
 {
   find_lengths(least_length);
-  find_features();
+  find_features(creases);
   find_tangents();
   fit_sectors();
   find_rises();
@@ -154,34 +152,34 @@ inline void Mls_surface::find_lengths(double least_length)
   }
 }
 
-// Whether the faces on both sides of h make a larger angle than that of the cosine.
-inline bool Mls_surface::is_sharp(Index h, double cosine) const
+inline bool Mls_surface::is_fold(Index h) const
 {
+  const Index o = surface_->opposite(h);
+  if (o < 0) return false;
   const auto cross_product_unless_degenerate = [&](Index f) {
     const Vector3 c = surface_->cross_product(f);
     return is_degenerate(c, corner(f, 0), corner(f, 1), corner(f, 2)) ? Vector3() : c;
   };
-  const Vector3 m = cross_product_unless_degenerate(h >> 2),
-                n = cross_product_unless_degenerate(surface_->opposite(h) >> 2);
-  return m != Vector3() && n != Vector3() && !is_cosine_at_least(m, n, cosine);
+  const Vector3 m = cross_product_unless_degenerate(h >> 2), n = cross_product_unless_degenerate(o >> 2);
+  return m != Vector3() && n != Vector3() && !is_cosine_at_least(m, n, MLS_FOLD_COSINE);
 }
 
-inline void Mls_surface::find_features()
+inline void Mls_surface::find_features(const std::vector<Index>& creases)
 {
   is_on_fold_.assign(surface_->number_of_vertices(), 0);
-  for (Index f = 0; f < Index(faces_.size()); ++f)
-    for (int k = 0; k < 3; ++k) {
-      const Index h = 4 * f + k, o = surface_->opposite(h);
-      if (!is_corner_[surface_->origin(h)] && !is_corner_[surface_->target(h)]) continue;
-      if (o >= 0 && o < h) continue;
-      const bool is_constrained = (surface_->face_record(f).edge_flags & (Remeshing_mesh::CONSTRAINED << k)) != 0;
-      const bool is_angular = o >= 0 && is_sharp(h, MLS_FEATURE_COSINE);
-      if (o >= 0 && !is_constrained && !is_angular) continue;
-      faces_[f].features |= 1u << k;
-      if (o >= 0) faces_[o >> 2].features |= 1u << (o & 3);
-      if (is_angular && is_sharp(h, MLS_FOLD_COSINE))
-        is_on_fold_[surface_->origin(h)] = is_on_fold_[surface_->target(h)] = 1;
-    }
+  const auto mark = [&](Index h) {
+    const Index o = surface_->opposite(h);
+    faces_[h >> 2].features |= 1u << (h & 3);
+    if (o >= 0) faces_[o >> 2].features |= 1u << (o & 3);
+  };
+  for (const Index h : creases) mark(h);
+  for (Index h = 0; h < 4 * Index(faces_.size()); ++h) {
+    const Index k = h & 3;
+    if (k == 3 || (!is_corner_[surface_->origin(h)] && !is_corner_[surface_->target(h)])) continue;
+    const bool is_constrained = (surface_->face_record(h >> 2).edge_flags & (Remeshing_mesh::CONSTRAINED << k)) != 0;
+    if (is_constrained || surface_->is_border(h)) mark(h);
+    if (surface_->opposite(h) < h && is_fold(h)) is_on_fold_[surface_->origin(h)] = is_on_fold_[surface_->target(h)] = 1;
+  }
 }
 
 // The tangent at a vertex between two feature edges that turn by less than 45 degrees, the nearer one counting more.

@@ -53,7 +53,8 @@ public:
     return closest_point_on_triangle(q, position_[t.vertex[0]], position_[t.vertex[1]], position_[t.vertex[2]]);
   }
 
-  // Walks from face f over the surface to the closest point, downhill in distance; f becomes the face it ends on.
+  // Walks from face f over the surface to the closest point, downhill in distance; f becomes the face it ends on. A walk does
+  // not cross a constrained edge: a vertex stays in its patch.
   Point_on_triangle closest_point_near(const Vector3& q, Index& f) const;
   Vector3 walk(const Vector3& q, Index& f) const { return closest_point_near(q, f).point; }
 
@@ -95,6 +96,8 @@ private:
 
   using Tree = CGAL::AABB_tree<AABB_traits<Kernel, Face_primitive>>;
 
+  bool is_barrier(Index h) const { return (face_record(h >> 2).edge_flags & (Remeshing_mesh::CONSTRAINED << (h & 3))) != 0; }
+
   // How far away from q a face may be that looks the right way and wins over f, on which the closest point lies.
   double compatible_radius(const Vector3& q, const Vector3& closest, Index f) const
   {
@@ -130,10 +133,18 @@ inline bool Reference_surface::walk_around_vertex(const Vector3& q, Index h, Ind
       f = face(k);
     }
   };
-  Index k = rotate_ccw(h);
-  for (; k >= 0 && k != h; k = rotate_ccw(k)) look_at(k);
-  if (k < 0)
-    for (k = rotate_cw(h); k >= 0; k = rotate_cw(k)) look_at(k);
+  Index k = h;
+  while (!is_barrier(prev(k))) {
+    k = rotate_ccw(k);
+    if (k < 0 || k == h) break;
+    look_at(k);
+  }
+  if (k < 0 || is_barrier(prev(k)))
+    for (k = h; !is_barrier(k);) {
+      k = rotate_cw(k);
+      if (k < 0) break;
+      look_at(k);
+    }
   return is_nearer;
 }
 
@@ -146,7 +157,7 @@ inline Point_on_triangle Reference_surface::closest_point_near(const Vector3& q,
     if (best.part == Triangle_part::interior) break;
     if (part <= int(Triangle_part::edge_ca)) {
       const Index across = face_record(f).opposite[part - int(Triangle_part::edge_ab)];
-      if (across < 0) break;
+      if (across < 0 || is_barrier(4 * f + part - int(Triangle_part::edge_ab))) break;
       const Point_on_triangle c = closest_point_on_face(q, face(across));
       const double d = squared_distance(q, c.point);
       if (!(d < distance * NEARER)) break;

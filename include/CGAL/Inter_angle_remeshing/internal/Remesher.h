@@ -45,7 +45,8 @@ class Remesher
 {
 public:
   Remesher(Context& context, const Schedule& schedule)
-    : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule), relaxation_(context.recipe)
+    : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule),
+      relaxation_(context.recipe, context.curves)
   {}
 
   Remeshing_report run()
@@ -59,7 +60,7 @@ public:
       iterate();
     }
     if (report_.ending == Remeshing_report::Ending::cancelled)
-      relaxation_.run<ConcurrencyTag>(mesh_, context_.projector, 0, Pull_back::after_last_sweep);
+      relaxation_.run<ConcurrencyTag>(mesh_, context_.projector, 0, Pull_back::after_last_sweep, curve_tolerance());
     else if (recipe_.clean_up)
       clean_up();
     mesh_.renumber<ConcurrencyTag>(mesh_.block_order());
@@ -158,7 +159,7 @@ private:
     std::size_t moved = 0;
     run_pass(Pass::relax, moved, [&]() {
       for_each_vertex_of_a_visitor([&](Mesh_vertex v) { context_.visitor.before_move(v, mesh_); });
-      const std::size_t count = relaxation_.run<ConcurrencyTag>(mesh_, context_.projector, sweeps, pull_back);
+      const std::size_t count = relaxation_.run<ConcurrencyTag>(mesh_, context_.projector, sweeps, pull_back, curve_tolerance());
       for_each_vertex_of_a_visitor([&](Mesh_vertex v) { context_.visitor.after_move(v, mesh_); });
       return count;
     });
@@ -175,7 +176,7 @@ private:
   void clean_up()
   {
     if (context_.target_length > 0 && !is_never(context_.collapse_policy))
-      run_pass(Pass::clean_up, report_.collapses, [&]() { return clean_up_pass(context_); });
+      run_pass(Pass::clean_up, report_.collapses, [&]() { return clean_up_pass<ConcurrencyTag>(context_); });
     if (goes_on() && !is_never(context_.flip_policy))
       run_pass(Pass::flip, report_.flips, [&]() { return flip_pass<ConcurrencyTag>(context_); });
     if (goes_on() && recipe_.sweeps > 0) relax(CLEAN_UP_SWEEPS, Pull_back::after_last_sweep);
@@ -183,6 +184,8 @@ private:
     if (goes_on() && recipe_.sweeps > 0)
       run_pass(Pass::polish, moves, [&]() { return polish_pass(context_, context_.target_length); });
   }
+
+  double curve_tolerance() const { return CURVE_TOLERANCE * context_.target_length; }
 
   // Runs a pass, tells the visitor and the callback about it.
   template <class Function>

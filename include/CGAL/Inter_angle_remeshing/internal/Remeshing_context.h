@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/Default_visitor.h>
 #include <CGAL/Inter_angle_remeshing/Edge_profile.h>
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
+#include <CGAL/Inter_angle_remeshing/internal/Input_curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh_graph.h>
 
 #include <CGAL/tags.h>
@@ -51,6 +52,7 @@ struct Remeshing_context
 
   Remeshing_mesh& mesh;
   const Recipe& recipe;
+  const Input_curves& curves;
   const std::vector<InputVertex>& input_vertices;
   InputVertex null_vertex;
   const SplitPolicy& split_policy;
@@ -64,12 +66,15 @@ struct Remeshing_context
   double squared_length_limit() const { return squared(recipe.split_ratio * target_length); }
   double squared_shortness_limit() const { return squared(recipe.collapse_ratio * target_length); }
 
-  // Whether a face with these corners turns its back on the surface at one of them: a fold, or soon to be one.
+  // Whether a face with these corners turns its back on the surface at one of them: a fold, or soon to be one. On a
+  // curve the surface looks several ways.
   bool is_turned_over(Index a, Index b, Index c) const
   {
     const Vector3 normal = triangle_cross(mesh.position(a), mesh.position(b), mesh.position(c));
-    return projector.is_opposite(mesh.hint(a), normal) || projector.is_opposite(mesh.hint(b), normal) ||
-           projector.is_opposite(mesh.hint(c), normal);
+    const auto is_opposite_at = [&](Index v) {
+      return !mesh.is_on_curve(v) && projector.is_opposite(mesh.hint(v), normal);
+    };
+    return is_opposite_at(a) || is_opposite_at(b) || is_opposite_at(c);
   }
 
   bool permits_split(Index h) const { return permits(split_policy, h, false); }

@@ -32,12 +32,14 @@ public:
     ON_FEATURE = 2,         // it is an end of a constrained edge
     LOCKED = 4,             // neither moved nor removed
     NEXT_TO_OUTSIDE = 8,    // on the border between the range and faces outside of it
-    PINCHED = 16            // one of several fans of the user's vertex: nothing around it may change
+    PINCHED = 16,           // one of several fans of the user's vertex: nothing around it may change
+    PINNED = 32             // on a curve, along which it does not slide
   };
 
-  // Flags of edge k of a face: bit k, and bit k + 3.
+  // Flags of edge k of a face: bits k, k + 3 and k + 6.
   static constexpr std::uint32_t CONSTRAINED = 1;  // never flipped, its chain is kept
   static constexpr std::uint32_t PROTECTED = 8;    // neither flipped, split nor collapsed: keeps its descriptor
+  static constexpr std::uint32_t ON_CURVE = 64;    // has a place on a curve of the input, see curve_place()
 
   static constexpr Index NO_VERTEX = -1;
 
@@ -49,13 +51,13 @@ public:
   void resize_vertices(std::size_t n)
   {
     position_.resize(n); first_.resize(n, -1); state_.resize(n);
-    hint_.resize(n, 0); input_.resize(n, NO_VERTEX); block_.resize(n, 0); curve_error_.resize(n, 0);
+    hint_.resize(n, 0); input_.resize(n, NO_VERTEX); block_.resize(n, 0);
   }
 
   void reserve_vertices(std::size_t n)
   {
     position_.reserve(n); first_.reserve(n); state_.reserve(n);
-    hint_.reserve(n); input_.reserve(n); block_.reserve(n); curve_error_.reserve(n);
+    hint_.reserve(n); input_.reserve(n); block_.reserve(n);
   }
 
   // The user's length that is 1 here.
@@ -99,9 +101,8 @@ public:
   bool is_on_curve(Index v) const { return (state_[v].marks & (ON_BORDER | ON_FEATURE)) != 0; }
   bool is_locked(Index v) const { return (state_[v].marks & LOCKED) != 0; }
 
-  // A bound of the distance from the input's curve to the curve edges at v.
-  double curve_error(Index v) const { return curve_error_[v]; }
-  void set_curve_error(Index v, double error) { curve_error_[v] = float(error); }
+  // Whether v is on a curve and may move along it.
+  bool is_sliding(Index v) const { return is_on_curve(v) && (state_[v].marks & (LOCKED | PINNED)) == 0; }
 
   // How far the valence is from that of a regular vertex: 6, or 4 on the border.
   int deviation(Index v) const { return int(state_[v].valence) - int(state_[v].regular_valence); }
@@ -123,6 +124,44 @@ public:
     const Index o = opposite(h);
     if (o >= 0) faces_[o >> 2].edge_flags |= flags << (o & 3);
   }
+
+  // --- places on the input's curves ---------------------------------------------------------------------------
+
+  // Where the edge of h, which may be a border side, lies on a curve: from arc length `origin` to arc length `target`,
+  // not modulo the length of a closed curve.
+  struct Curve_place
+  {
+    Index curve;
+    double origin, target;
+  };
+
+  bool has_curves() const { return !curve_edge_of_.empty(); }
+  bool has_place(Index h) const { return has_flag(h < 0 ? ~h : h, ON_CURVE); }
+  void set_curve_place(Index h, const Curve_place& place)
+  {
+    if (!has_curves()) curve_edge_of_.assign(4 * faces_.size(), -1);
+    const Index e = new_curve_edge(place.curve, place.origin, place.target);
+    add_flags(h, ON_CURVE);
+    curve_edge_of_[h] = 2 * e;
+    if (!is_border(h)) curve_edge_of_[opposite(h)] = 2 * e + 1;
+  }
+  Curve_place curve_place(Index h) const
+  {
+    const Index k = curve_end(h);
+    const Curve_edge& e = curve_edges_[k >> 1];
+    return {e.curve, e.arc_length[k & 1], e.arc_length[1 - (k & 1)]};
+  }
+  // Names the place of the origin of h in the edge of h, for arc_length().
+  Index curve_end(Index h) const { return h >= 0 ? curve_edge_of_[h] : curve_edge_of_[~h] ^ 1; }
+  // The number of faces that is regular in the sector that begins, counterclockwise, with the half-edge of `curve_end`.
+  int regular_faces(Index curve_end) const { return curve_edges_[curve_end >> 1].regular_faces[curve_end & 1]; }
+  void set_regular_faces(Index curve_end, int n)
+  {
+    curve_edges_[curve_end >> 1].regular_faces[curve_end & 1] = static_cast<std::uint16_t>(n);
+  }
+  Index curve_of(Index curve_end) const { return curve_edges_[curve_end >> 1].curve; }
+  double& arc_length(Index curve_end) { return curve_edges_[curve_end >> 1].arc_length[curve_end & 1]; }
+  double arc_length(Index curve_end) const { return curve_edges_[curve_end >> 1].arc_length[curve_end & 1]; }
 
   double squared_edge_length(Index h) const { return squared_distance(position_[origin(h)], position_[target(h)]); }
 
@@ -198,7 +237,7 @@ public:
 
   // Replaces the edge of h by the other diagonal; next(h) becomes that diagonal, towards what was apex(h).
   void flip(Index h);
-  // Puts a vertex at `p` on the edge of h; returns it.
+  // Puts a vertex at `p` on the edge of h; returns it. On a curve its place is the middle of the edge's arc.
   Index split(Index h, const Vector3& p);
   // Merges the source of h into its target.
   void collapse(Index h);
@@ -256,20 +295,57 @@ private:
   Index new_face();
   Index new_vertex();
 
-  // The flags of the edge of h, moved down to bits 0 and 3.
-  std::uint32_t flags(Index h) const { return (faces_[h >> 2].edge_flags >> (h & 3)) & (CONSTRAINED | PROTECTED); }
+  static constexpr std::uint32_t ALL_FLAGS = CONSTRAINED | PROTECTED | ON_CURVE;
+
+  // The flags of the edge of h, moved down to the bits of edge 0.
+  std::uint32_t flags(Index h) const { return (faces_[h >> 2].edge_flags >> (h & 3)) & ALL_FLAGS; }
   void set_flags(Index h, std::uint32_t flags)
   {
     std::uint32_t& bits = faces_[h >> 2].edge_flags;
-    bits = (bits & ~((CONSTRAINED | PROTECTED) << (h & 3))) | (flags << (h & 3));
+    bits = (bits & ~(ALL_FLAGS << (h & 3))) | (flags << (h & 3));
   }
+
+  // What an edge carries with it when it becomes another edge of a face: its flags, and its place on a curve as seen
+  // from one of its half-edges.
+  struct Edge_label
+  {
+    std::uint32_t flags = 0;
+    Index curve_end = -1;
+
+    Edge_label reversed() const { return {flags, curve_end < 0 ? curve_end : curve_end ^ 1}; }
+  };
+  Edge_label label(Index h) const
+  {
+    const std::uint32_t f = flags(h);
+    return {f, (f & ON_CURVE) != 0 ? curve_edge_of_[h] : -1};
+  }
+  void set_label(Index h, const Edge_label& label)
+  {
+    set_flags(h, label.flags);
+    if (label.flags & ON_CURVE) curve_edge_of_[h] = label.curve_end;
+  }
+
+  struct Curve_edge
+  {
+    Index curve;
+    std::uint16_t regular_faces[2];
+    double arc_length[2];
+  };
+
+  Index new_curve_edge(Index curve, double begin, double end)
+  {
+    curve_edges_.push_back({curve, {3, 3}, {begin, end}});
+    return Index(curve_edges_.size()) - 1;
+  }
+  void leave_curve(Index h);
 
   double unit_ = 1;
   std::vector<Vector3> position_;
   std::vector<Index> first_;
   std::vector<Vertex_state> state_;
   std::vector<Index> hint_, input_, block_;
-  std::vector<float> curve_error_;
+  std::vector<Index> curve_edge_of_;      // by half-edge: 2 e, or 2 e + 1 where e runs the other way; empty: no curves
+  std::vector<Curve_edge> curve_edges_;
   std::vector<Index> free_faces_, free_vertices_;
   std::vector<std::uint8_t> touched_;
 };
@@ -282,6 +358,7 @@ inline Remeshing_mesh::Index Remeshing_mesh::new_face()
     return f;
   }
   faces_.emplace_back();
+  if (has_curves()) curve_edge_of_.resize(4 * faces_.size(), -1);
   return Index(faces_.size()) - 1;
 }
 
@@ -310,7 +387,12 @@ inline bool Remeshing_mesh::is_collapse_legal(Index h) const
   const Index g = opposite(h), a = source(h), b = source(g);
   const Index side = h >= 0 ? h : g;                         // a half-edge of the edge that has a face
   if (is_locked(a) || is_protected(side)) return false;
-  if (is_on_curve(a) && !is_on_curve_edge(side)) return false;
+  if (is_on_curve(a)) {
+    // The triangle of the edge goes; if its other two edges are on curves, too, these would fall into one.
+    if (!is_on_curve_edge(side)) return false;
+    for (const Index k : {h, g})
+      if (k >= 0 && is_on_curve_edge(next(k)) && is_on_curve_edge(prev(k))) return false;
+  }
   if (is_border_vertex(a) && valence(a) == 2) return false;  // the tip of an ear: its face would go, and leave a border
   const Index c = h >= 0 ? apex(h) : NO_VERTEX, d = g >= 0 ? apex(g) : NO_VERTEX;
   if (c == d) return false;
@@ -336,8 +418,8 @@ inline void Remeshing_mesh::flip(Index h)
   const Index a = origin(h), b = origin(g), c = origin(q), d = origin(gp);
   const Index outer_n = opposite(n), outer_gn = opposite(gn);
   if (faces_[h >> 2].edge_flags | faces_[g >> 2].edge_flags) {
-    const std::uint32_t flags_n = flags(n), flags_gn = flags(gn);
-    set_flags(h, flags_gn); set_flags(g, flags_n); set_flags(n, 0); set_flags(gn, 0);
+    const Edge_label label_n = label(n), label_gn = label(gn);
+    set_label(h, label_gn); set_label(g, label_n); set_flags(n, 0); set_flags(gn, 0);
   }
   set_origin(n, d);
   set_origin(gn, c);
@@ -355,25 +437,32 @@ inline Remeshing_mesh::Index Remeshing_mesh::split(Index h, const Vector3& p)
   const Index g = opposite(h);
   const Index n = next(h), a = origin(h), b = origin(n), c = apex(h);
   const Index f1 = 4 * new_face();                           // the triangle m b c
-  const std::uint32_t edge = flags(h), flags_n = flags(n);
+  const Edge_label edge = label(h), label_n = label(n);
+  Edge_label far_half = edge;
+  if (edge.flags & ON_CURVE) {
+    const Curve_place place = curve_place(h);
+    const double middle = 0.5 * (place.origin + place.target);
+    arc_length(edge.curve_end ^ 1) = middle;
+    far_half.curve_end = 2 * new_curve_edge(place.curve, middle, place.target);
+  }
   faces_[f1 >> 2] = Face{{m, b, c}, faces_[h >> 2].source, {-1, -1, -1}, 0};
   glue(f1 + 1, opposite(n));
   set_origin(n, m);
   glue(n, f1 + 2);
-  set_flags(f1, edge); set_flags(f1 + 1, flags_n); set_flags(n, 0);
+  set_label(f1, far_half); set_label(f1 + 1, label_n); set_flags(n, 0);
   if (first_[b] == n) first_[b] = f1 + 1;
   ++state_[c].valence;
 
   if (g >= 0) {
     const Index gp = prev(g), d = origin(gp);
     const Index g1 = 4 * new_face();                         // the triangle b m d
-    const std::uint32_t flags_gp = flags(gp);
+    const Edge_label label_gp = label(gp);
     faces_[g1 >> 2] = Face{{b, m, d}, faces_[g >> 2].source, {-1, -1, -1}, 0};
     glue(g1 + 2, opposite(gp));
     set_origin(g, m);
     glue(gp, g1 + 1);
     glue(f1, g1);
-    set_flags(g1, edge); set_flags(g1 + 2, flags_gp); set_flags(gp, 0);
+    set_label(g1, far_half.reversed()); set_label(g1 + 2, label_gp); set_flags(gp, 0);
     if (first_[b] == g) first_[b] = g1;
     if (first_[d] == gp) first_[d] = g1 + 2;
     ++state_[d].valence;
@@ -385,18 +474,35 @@ inline Remeshing_mesh::Index Remeshing_mesh::split(Index h, const Vector3& p)
   first_[m] = f1;
   state_[m] = Vertex_state{std::uint16_t(g >= 0 ? 4 : 3), 0, 6};
   if (g < 0) add_marks(m, ON_BORDER);
-  if (edge & CONSTRAINED) add_marks(m, ON_FEATURE);
+  if (edge.flags & CONSTRAINED) add_marks(m, ON_FEATURE);
   hint_[m] = hint_[a];
   input_[m] = NO_VERTEX;
   block_[m] = block_[a];
-  curve_error_[m] = (std::max)(curve_error_[a], curve_error_[b]);
   touch(a); touch(b); touch(c); touch(m);
   return m;
+}
+
+// Before the source of h is merged into its target: of the two edges of their curve, the one beyond takes the place of
+// both.
+inline void Remeshing_mesh::leave_curve(Index h)
+{
+  const Curve_place removed = curve_place(h);
+  const Index edge = curve_end(h) >> 1;
+  const auto take_over = [&](Index k) {        // k leaves the source of h
+    if (!has_place(k) || curve_end(k) >> 1 == edge) return;
+    const double shift = arc_length(curve_end(k)) - removed.origin;     // once around a closed curve, or 0
+    arc_length(curve_end(k)) = removed.target + shift;
+  };
+  const Index a = source(h);
+  Index last = -1;
+  for_each_around(a, [&](Index k) { take_over(k); last = k; });
+  if (is_border_vertex(a) && is_border(prev(last))) take_over(~prev(last));
 }
 
 inline void Remeshing_mesh::collapse(Index h)
 {
   const Index g = opposite(h), a = source(h), b = source(g);
+  if (has_curves() && has_place(h)) leave_curve(h);
   touch_star(a);
   for_each_around(a, [&](Index k) { set_origin(k, b); });
   set_valence(b, valence(b) + valence(a) - (h >= 0 && g >= 0 ? 4 : 3));
@@ -405,10 +511,13 @@ inline void Remeshing_mesh::collapse(Index h)
   const auto remove_face = [&](Index e) {
     const Index n = next(e), q = prev(e), c = origin(q);
     const Index outer_n = opposite(n), outer_q = opposite(q);
-    const std::uint32_t merged = flags(n) | flags(q);
+    Edge_label merged = label(n);                            // as seen from b
+    const Edge_label of_q = label(q);
+    if (of_q.flags & ON_CURVE) merged.curve_end = of_q.curve_end ^ 1;
+    merged.flags |= of_q.flags;
     glue(outer_n, outer_q);
-    for (const Index outer : {outer_n, outer_q})
-      if (outer >= 0) set_flags(outer, merged);
+    if (outer_q >= 0) set_label(outer_q, merged);
+    if (outer_n >= 0) set_label(outer_n, merged.reversed());
     --state_[c].valence;
     first_[c] = outer_n >= 0 ? outer_n : next(outer_q);
     first_[b] = outer_q >= 0 ? outer_q : next(outer_n);
@@ -491,9 +600,14 @@ void Remeshing_mesh::renumber(const std::vector<Index>& order)
       result.hint_[i] = hint_[v];
       result.input_[i] = input_[v];
       result.block_[i] = Index(i >> shift);
-      result.curve_error_[i] = curve_error_[v];
     }
   });
+  if (has_curves()) {
+    result.curve_edge_of_.resize(4 * faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (int k = 0; k < 3; ++k) result.curve_edge_of_[4 * i + k] = curve_edge_of_[4 * face_order[i] + k];
+    result.curve_edges_ = std::move(curve_edges_);
+  }
   result.faces_ = std::move(faces);
   *this = std::move(result);
 }

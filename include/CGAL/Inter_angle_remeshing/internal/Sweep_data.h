@@ -5,7 +5,7 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_SWEEP_DATA_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SWEEP_DATA_H
 
-#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
 
 #include <algorithm>
@@ -27,8 +27,10 @@ public:
 
   enum class Mobility : std::uint8_t
   {
-    fixed,     // on a curve, or locked
-    guarded,   // beside a curve, whose vertices cannot get out of the way: every step is tested
+    fixed,                // locked, or pinned on a curve
+    sliding,              // on a curve
+    sliding_on_border,    // on one that is a border: the ring is open
+    guarded,              // beside a curve, whose vertices cannot get out of the way: every step is tested
     free
   };
 
@@ -48,6 +50,28 @@ public:
   std::size_t number_of_movable() const
   {
     return size() - std::size_t(std::count(mobility.begin(), mobility.end(), Mobility::fixed));
+  }
+  bool is_sliding(std::size_t i) const
+  {
+    return mobility[i] == Mobility::sliding || mobility[i] == Mobility::sliding_on_border;
+  }
+  // The two edges of a sliding vertex on its curve: its place there, see Remeshing_mesh::curve_end(), and their other ends.
+  struct Slide
+  {
+    std::array<Index, 2> ends, neighbors;
+  };
+  const Slide& slide(std::size_t i) const { return slides_[slide_of_[i]]; }
+
+  // Calls `function(u, v)` for the link edges of a vertex that is not fixed, as long as it returns true.
+  template <class Function>
+  bool all_of_link(std::size_t i, const Function& function) const
+  {
+    const int n = valence(i);
+    const Index* r = ring(i);
+    const bool is_open = mobility[i] == Mobility::sliding_on_border;
+    for (int k = is_open ? 1 : 0; k < n; ++k)
+      if (!function(r[k == 0 ? n - 1 : k - 1], r[k])) return false;
+    return true;
   }
   const Index* ring(std::size_t i) const { return rings_.data() + ring_start_[i]; }
   int valence(std::size_t i) const { return int(ring_start_[i + 1] - ring_start_[i]); }
@@ -74,6 +98,7 @@ private:
   template <class ConcurrencyTag>
   void read_rings(const Remeshing_mesh& mesh);
   void read_some_rings(const Remeshing_mesh& mesh, std::size_t begin, std::size_t end);
+  void read_slides(const Remeshing_mesh& mesh);
   void find_neighbor_blocks(std::size_t begin, std::size_t end, Index block);
   template <class ConcurrencyTag>
   void guard_beside_curves(const Remeshing_mesh& mesh);
@@ -82,6 +107,8 @@ private:
   std::vector<Index> rank_;            // of the mesh's vertices in the order
   std::vector<std::uint32_t> ring_start_;
   std::vector<Index> rings_;
+  std::vector<Index> slide_of_;        // by vertex, if there are sliding ones
+  std::vector<Slide> slides_;
   unsigned block_shift_ = 0;           // blocks hold 2^block_shift_ vertices
   std::vector<std::vector<Index>> neighbor_blocks_;
   std::vector<std::vector<Index>> colours_;
@@ -100,11 +127,12 @@ void Sweep_data::read(const Remeshing_mesh& mesh)
   for_each_block<ConcurrencyTag>(n, SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
       const Index v = order[i];
-      const bool is_fixed = !mesh.is_free(v);
+      const bool is_sliding = mesh.is_sliding(v), is_fixed = !mesh.is_free(v) && !is_sliding;
       rank_[v] = Index(i);
       position[i] = mesh.position(v);
       hint[i] = mesh.hint(v);
-      mobility[i] = is_fixed ? Mobility::fixed : Mobility::free;
+      mobility[i] = is_fixed ? Mobility::fixed : !is_sliding ? Mobility::free
+                    : mesh.is_border_vertex(v) ? Mobility::sliding_on_border : Mobility::sliding;
       ring_start_[i + 1] = is_fixed ? 0 : std::uint32_t(mesh.valence(v));
     }
   });
@@ -112,7 +140,8 @@ void Sweep_data::read(const Remeshing_mesh& mesh)
   for (std::size_t i = 0; i < n; ++i) ring_start_[i + 1] += ring_start_[i];
   block_shift_ = Remeshing_mesh::block_shift(n);
   read_rings<ConcurrencyTag>(mesh);
-  if (std::find(mobility.begin(), mobility.end(), Mobility::fixed) != mobility.end())
+  if (mesh.has_curves()) read_slides(mesh);
+  if (mesh.has_curves() || std::find(mobility.begin(), mobility.end(), Mobility::fixed) != mobility.end())
     guard_beside_curves<ConcurrencyTag>(mesh);
   colour_blocks();
 }
@@ -142,11 +171,33 @@ inline void Sweep_data::read_some_rings(const Remeshing_mesh& mesh, std::size_t 
   }
   for (int k = 0; k < longest; ++k)
     for (std::size_t i = begin; i < end; ++i) {
-      if (k >= valence(i)) continue;
+      if (k >= valence(i) || mobility[i] == Mobility::sliding_on_border) continue;
       Index& current = h[i - begin];
       rings_[ring_start_[i] + k] = rank_[mesh.target(current)];
       current = mesh.rotate_ccw(current);
     }
+  for (std::size_t i = begin; i < end; ++i) {
+    if (mobility[i] != Mobility::sliding_on_border) continue;
+    Index* r = rings_.data() + ring_start_[i];
+    mesh.for_each_neighbor(order[i], [&](Index u) { *r++ = rank_[u]; });
+  }
+}
+
+inline void Sweep_data::read_slides(const Remeshing_mesh& mesh)
+{
+  slide_of_.assign(size(), -1);
+  slides_.clear();
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (!is_sliding(i)) continue;
+    Slide slide{};
+    std::size_t n = 0;
+    for_each_curve_halfedge(mesh, order[i], [&](Index h) {
+      slide.ends[n] = mesh.curve_end(h);
+      slide.neighbors[n++] = rank_[mesh.source(mesh.opposite(h))];
+    });
+    slide_of_[i] = Index(slides_.size());
+    slides_.push_back(slide);
+  }
 }
 
 inline void Sweep_data::find_neighbor_blocks(std::size_t begin, std::size_t end, Index block)

@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_CLEAN_UP_PASS_H
 
 #include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/sector_valence.h>
 
 #include <limits>
 
@@ -24,24 +25,29 @@ constexpr double CLEAN_UP_LENGTH = 2;
 inline int collapse_gain(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
   using Index = Remeshing_mesh::Index;
-  const Index a = mesh.origin(h), b = mesh.target(h);
+  const Index a = mesh.origin(h);
   const auto squared = [](int x) { return x * x; };
-  int gain = squared(mesh.deviation(b) + mesh.valence(a) - 4) - squared(mesh.deviation(a)) - squared(mesh.deviation(b));
-  for (const Index c : {mesh.apex(h), mesh.apex(mesh.opposite(h))})
-    gain += squared(mesh.deviation(c) - 1) - squared(mesh.deviation(c));
+  const Index o = mesh.opposite(h);
+  const int at_a = mesh.deviation(a), at_b = sector_deviation(mesh, o);
+  int gain = squared(at_b + mesh.valence(a) - 4) - squared(at_a) - squared(at_b);
+  for (const Index k : {mesh.prev(h), mesh.prev(o)}) {
+    const int at_apex = sector_deviation(mesh, k);
+    gain += squared(at_apex - 1) - squared(at_apex);
+  }
   return gain;
 }
 
 // Returns the number of collapses.
-template <class Context>
+template <class ConcurrencyTag, class Context>
 std::size_t clean_up_pass(Context& context)
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
   const double length = context.target_length, tolerance = context.recipe.collapse_tolerance * length;
-  const Collapse_limits limits{CLEAN_UP_LENGTH * length * CLEAN_UP_LENGTH * length, tolerance * tolerance, 0,
+  const Collapse_limits limits{CLEAN_UP_LENGTH * length * CLEAN_UP_LENGTH * length, tolerance * tolerance,
                                MAXIMUM_MERGED_VALENCE};
   std::size_t collapses = 0;
+  measure_sectors<ConcurrencyTag>(mesh);
   for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
     if (!mesh.is_vertex(v) || !mesh.is_free(v) || mesh.valence(v) > POOR_VALENCE) continue;
     Index best = NO_COLLAPSE;

@@ -7,8 +7,9 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/closest_point_on_triangle.h>
-#include <CGAL/Inter_angle_remeshing/internal/curves.h>
+#include <CGAL/Inter_angle_remeshing/internal/curve_edges.h>
 #include <CGAL/Inter_angle_remeshing/internal/evaluate_then_apply.h>
+#include <CGAL/Inter_angle_remeshing/internal/thin_angles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,67 +29,34 @@ struct Collapse_limits
 {
   double squared_length;       // of a new edge
   double squared_tolerance;    // distance from the removed vertex to what replaces its star
-  double curve_error;          // distance from the input's curve to the curve afterwards
   int valence;                 // of the merged vertex
 };
 
-// A border or feature curve of the input may lie this far from what becomes of it, in target lengths.
-constexpr double CURVE_TOLERANCE = 0.05;
 // A merged vertex of a higher valence costs more regularity than flips can mend in an iteration.
 constexpr int MAXIMUM_MERGED_VALENCE = 9;
 // Smallest cosine between the normals of a face before and after a collapse: 60 degrees.
 constexpr double COLLAPSE_NORMAL_COSINE = 0.5;
 
-inline double squared_distance_to_segment(const Vector3& q, const Vector3& a, const Vector3& b)
-{
-  const Vector3 ab = b - a;
-  const double t = dot(q - a, ab), l = squared_length(ab);
-  if (t <= 0) return squared_distance(q, a);
-  if (t >= l) return squared_distance(q, b);
-  return squared_distance(q, a + (t / l) * ab);
-}
-
-// What merging the source of h into its target does to the curve that both lie on.
-struct Curve_collapse
-{
-  Remeshing_mesh::Index other = Remeshing_mesh::NO_VERTEX;   // the source's other neighbor on the curve
-  double error = std::numeric_limits<double>::infinity();    // bound of the distance from the input's curve afterwards
-};
-
-// The source must lie between h's edge and exactly one other edge of the curve. The error of the edges that it leaves
-// behind is the distance that its removal moves them, and what they had before.
-inline Curve_collapse curve_collapse(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+// Whether the source of h can leave the curve that it lies on: its two edges there become one, which must neither be too long
+// nor leave the curve. The edge beyond it belongs to the same curve, as no vertex between two is without a lock.
+template <class Context>
+bool keeps_curve(const Context& context, Remeshing_mesh::Index h)
 {
   using Index = Remeshing_mesh::Index;
+  const Remeshing_mesh& mesh = context.mesh;
+  if (!mesh.has_place(h)) return false;
   const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
-  Curve_collapse result;
-  int curve_edges = 0;
-  for_each_curve_neighbor(mesh, a, [&](Index, Index u) {
-    ++curve_edges;
-    if (u != b) result.other = u;
-  });
-  if (curve_edges != 2 || result.other < 0) return Curve_collapse();
-  const double moved = squared_distance_to_segment(mesh.position(a), mesh.position(b), mesh.position(result.other));
-  result.error = mesh.curve_error(a) + std::sqrt(moved);
-  return result;
-}
-
-// Whether the source of h can leave the curve that it lies on.
-inline bool keeps_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Collapse_limits& limits)
-{
-  const Curve_collapse curve = curve_collapse(mesh, h);
-  return curve.error <= limits.curve_error &&
-         squared_distance(mesh.position(mesh.source(mesh.opposite(h))), mesh.position(curve.other)) <=
-           limits.squared_length;
-}
-
-// Notes at both ends of the curve's new edge how far it is from the input's curve.
-inline void note_curve_error(Remeshing_mesh& mesh, Remeshing_mesh::Index h)
-{
-  const Remeshing_mesh::Index b = mesh.source(mesh.opposite(h));
-  const Curve_collapse curve = curve_collapse(mesh, h);
-  for (const Remeshing_mesh::Index v : {b, curve.other})
-    mesh.set_curve_error(v, (std::max)(mesh.curve_error(v), curve.error));
+  Index beyond = h;
+  for_each_curve_halfedge(mesh, a, [&](Index k) { if (k != h) beyond = k; });
+  const Index u = mesh.source(mesh.opposite(beyond));
+  if (beyond == h || u == b) return false;
+  const Vector3 &p = mesh.position(b), &q = mesh.position(u);
+  const double limit = context.recipe.split_ratio *
+                       (std::min)(target_on_curve(context, h < 0 ? ~h : h), target_on_curve(context, beyond < 0 ? ~beyond : beyond));
+  if (squared_distance(p, q) > limit * limit) return false;
+  const Remeshing_mesh::Curve_place removed = mesh.curve_place(h), rest = mesh.curve_place(beyond);
+  return context.curves.deviation(removed.curve, removed.target, removed.origin + rest.target - rest.origin, p, q) <=
+         CURVE_TOLERANCE * context.target_length;
 }
 
 // Whether no new edge at h's target is too long. The neighbors of a free source other than the target and the two
@@ -143,6 +111,41 @@ inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h,
   return turns_no_face && is_near;
 }
 
+// Smallest angle that a collapse may leave where a curve is near, unless it was smaller before: 15 degrees, as the square
+// of the sine.
+constexpr double COLLAPSED_SQUARED_SINE = 0.0669872981077807;
+
+// Whether faces beside a curve stay fit when the source of h is merged into its target.
+inline bool keeps_faces_at_curves(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  using Index = Remeshing_mesh::Index;
+  const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
+  const Vector3 &p = mesh.position(a), &q = mesh.position(b);
+  bool is_near_curve = mesh.is_on_curve(b);
+  double before = 1, after = 1;
+  // Whether the edge between b and u is on a curve, once b has taken the edges of a over.
+  const auto will_be_on_curve = [&](Index u, bool is_on_curve_from_a) {
+    const Index existing = mesh.find_halfedge(b, u), reverse = existing < 0 ? mesh.find_halfedge(u, b) : existing;
+    return is_on_curve_from_a || (reverse >= 0 && mesh.is_on_curve_edge(reverse));
+  };
+  const bool keeps_corners = mesh.all_around(a, [&](Index k) {
+    const Index c = mesh.target(k), d = mesh.apex(k);
+    const Vector3 &r = mesh.position(c), &s = mesh.position(d);
+    is_near_curve = is_near_curve || mesh.is_on_curve(c) || mesh.is_on_curve(d);
+    before = (std::min)(before, squared_sine_of_smallest_angle(p, r, s));
+    if (c == b || d == b) return true;
+    after = (std::min)(after, squared_sine_of_smallest_angle(q, r, s));
+    const auto is_wide = [&](const Vector3& apex, const Vector3& x, const Vector3& y) {
+      return corner_cosine(apex, x, y) < CURVE_CORNER_COSINE;
+    };
+    if (!is_wide(q, r, s) && !is_wide(r, q, s) && !is_wide(s, q, r)) return true;
+    const bool is_c = will_be_on_curve(c, mesh.is_on_curve_edge(k)), is_link = mesh.is_on_curve_edge(mesh.next(k)),
+               is_d = will_be_on_curve(d, mesh.is_on_curve_edge(mesh.prev(k)));
+    return !(is_c && is_d && is_wide(q, r, s)) && !(is_link && ((is_c && is_wide(r, q, s)) || (is_d && is_wide(s, q, r))));
+  });
+  return keeps_corners && !(is_near_curve && after < COLLAPSED_SQUARED_SINE && after < before);
+}
+
 // Whether no face turns by more than 26 degrees when the source of h is merged into its target.
 inline bool turns_little(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
@@ -186,8 +189,9 @@ Remeshing_mesh::Index choose_collapse(const Context& context, Remeshing_mesh::In
   if (mesh.valence(b) < mesh.valence(a)) std::swap(first, second);
   for (const Index k : {first, second}) {
     const bool is_along_curve = mesh.is_on_curve(mesh.source(k));
-    if (is_along_curve && !(context.may_collapse_constraints && keeps_curve(mesh, k, limits))) continue;
-    if (is_collapse_fit(mesh, k, limits) && mesh.is_collapse_legal(k) && !makes_fold(context, k) &&
+    if (is_along_curve && !(context.may_collapse_constraints && keeps_curve(context, k))) continue;
+    if (is_collapse_fit(mesh, k, limits) && mesh.is_collapse_legal(k) &&
+        (!mesh.has_curves() || keeps_faces_at_curves(mesh, k)) && !makes_fold(context, k) &&
         context.permits_collapse(k)) return k;
   }
   return NO_COLLAPSE;
@@ -204,18 +208,18 @@ std::size_t collapse_pass(Context& context, std::vector<Remeshing_mesh::Index>& 
   const double length = context.target_length;
   const auto squared = [](double x) { return x * x; };
   const Collapse_limits limits{context.squared_length_limit(), squared(context.recipe.collapse_tolerance * length),
-                               CURVE_TOLERANCE * length, MAXIMUM_MERGED_VALENCE};
+                               MAXIMUM_MERGED_VALENCE};
   std::size_t collapses = 0;
   evaluate_then_apply<ConcurrencyTag>(mesh, short_edges,
     [&](Index h) -> Index {
       if (mesh.origin(h) < 0 || mesh.squared_edge_length(h) >= shortness) return NO_COLLAPSE;
+      if (mesh.has_place(h) && !is_too_short_on_curve(context, h)) return NO_COLLAPSE;
       return choose_collapse(context, h, limits);
     },
     [&](Index, Index k) {
       if (k == NO_COLLAPSE) return;
       const Index kept = mesh.source(mesh.opposite(k));
       context.visitor.before_collapse(Mesh_halfedge(k), mesh);
-      if (mesh.is_on_curve(mesh.source(k))) note_curve_error(mesh, k);
       mesh.collapse(k);
       context.visitor.after_collapse(Mesh_vertex(kept), mesh);
       ++collapses;

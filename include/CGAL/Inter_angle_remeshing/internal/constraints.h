@@ -30,6 +30,8 @@ struct Constraint_settings
 {
   double sharpness_cosine;    // edges with a smaller dihedral cosine are features; under -1: none
   bool protect;
+  bool slides;                // whether input vertices on the border and on marked edges move along these
+  bool finds_features;        // whether sharp edges are found by themselves
 };
 
 // Whether the dihedral angle at h is larger than the bound. Degenerate faces are not sharp.
@@ -42,6 +44,13 @@ inline bool is_sharp(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, double
   const Vector3 m = cross_product(h), n = cross_product(mesh.opposite(h));
   const double product = squared_length(m) * squared_length(n);
   return product > 0 && dot(m, n) < cosine * std::sqrt(product);
+}
+
+inline void mark_feature(Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  mesh.add_flags(h, Remeshing_mesh::CONSTRAINED);
+  mesh.add_marks(mesh.origin(h), Remeshing_mesh::ON_FEATURE);
+  mesh.add_marks(mesh.target(h), Remeshing_mesh::ON_FEATURE);
 }
 
 template <class Exchange, class EdgeIsConstrainedMap, class VertexIsConstrainedMap, class PatchMap, class TriangleMesh>
@@ -59,17 +68,16 @@ void mark_constraints(Exchange& exchange, const TriangleMesh& tmesh, const EdgeI
       is_constrained = is_constrained || (across != boost::graph_traits<TriangleMesh>::null_face() &&
                                           !(get(fpm, face(user, tmesh)) == get(fpm, across)));
     }
-    if (is_constrained) {
-      mesh.add_flags(h, Remeshing_mesh::CONSTRAINED);
-      mesh.add_marks(mesh.origin(h), Remeshing_mesh::ON_FEATURE);
-      mesh.add_marks(mesh.target(h), Remeshing_mesh::ON_FEATURE);
+    if (is_constrained) mark_feature(mesh, h);
+    if ((is_constrained || mesh.is_border(h)) && !settings.slides) {
+      mesh.add_marks(mesh.origin(h), Remeshing_mesh::PINNED);
+      mesh.add_marks(mesh.target(h), Remeshing_mesh::PINNED);
     }
     if (settings.protect && (is_constrained || mesh.is_border(h))) mesh.add_flags(h, Remeshing_mesh::PROTECTED);
   });
   if constexpr (!std::is_same<VertexIsConstrainedMap, No_map>::value)
     for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v)
       if (get(vcm, exchange.input_vertices()[v])) mesh.add_marks(v, Remeshing_mesh::LOCKED);
-  lock_corners(mesh);
 }
 
 template <class Map>

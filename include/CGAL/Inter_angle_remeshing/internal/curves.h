@@ -13,16 +13,25 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// Calls `function(h, u)` for the curve edges at v: a half-edge of the edge, and its other end.
+// Calls `function(h)` for the half-edges, a border side perhaps, that leave v on curve edges.
 template <class Function>
-void for_each_curve_neighbor(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, const Function& function)
+void for_each_curve_halfedge(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, const Function& function)
 {
   Remeshing_mesh::Index last = -1;
   mesh.for_each_around(v, [&](Remeshing_mesh::Index h) {
-    if (mesh.is_on_curve_edge(h)) function(h, mesh.target(h));
+    if (mesh.is_on_curve_edge(h)) function(h);
     last = h;
   });
-  if (mesh.is_border_vertex(v)) function(mesh.prev(last), mesh.apex(last));
+  if (mesh.is_border_vertex(v)) function(~mesh.prev(last));
+}
+
+inline double squared_distance_to_segment(const Vector3& q, const Vector3& a, const Vector3& b)
+{
+  const Vector3 ab = b - a;
+  const double t = dot(q - a, ab), l = squared_length(ab);
+  if (t <= 0) return squared_distance(q, a);
+  if (t >= l) return squared_distance(q, b);
+  return squared_distance(q, a + (t / l) * ab);
 }
 
 // A chain of border or feature edges that turns by this angle or more has a corner there. (Cosine of 45 degrees.)
@@ -44,7 +53,8 @@ inline Curve_arm curve_arm(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, 
     arm.passes_locked = arm.passes_locked || mesh.is_locked(u);
     Remeshing_mesh::Index following = v;
     int edges = 0;
-    for_each_curve_neighbor(mesh, u, [&](Remeshing_mesh::Index, Remeshing_mesh::Index w) {
+    for_each_curve_halfedge(mesh, u, [&](Remeshing_mesh::Index h) {
+      const Remeshing_mesh::Index w = mesh.source(mesh.opposite(h));
       ++edges;
       if (w != previous) following = w;
     });
@@ -64,9 +74,9 @@ inline void lock_corners(Remeshing_mesh& mesh)
     if (!mesh.is_on_curve(v)) continue;
     int edges = 0, constrained = 0;
     Curve_arm arms[2];
-    for_each_curve_neighbor(mesh, v, [&](Remeshing_mesh::Index h, Remeshing_mesh::Index u) {
-      if (edges < 2) arms[edges] = curve_arm(mesh, v, u);
-      constrained += mesh.is_constrained(h);
+    for_each_curve_halfedge(mesh, v, [&](Remeshing_mesh::Index h) {
+      if (edges < 2) arms[edges] = curve_arm(mesh, v, mesh.source(mesh.opposite(h)));
+      constrained += mesh.is_constrained(h < 0 ? ~h : h);
       ++edges;
     });
     const bool is_end = edges != 2 || constrained == 1;

@@ -9,6 +9,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -35,6 +36,18 @@ std::vector<Remeshing_mesh::Index> edges_out_of(const Remeshing_mesh& mesh, doub
         out.push_back(h + k);
   });
   return found;
+}
+
+inline double mean_edge_length(const Remeshing_mesh& mesh)
+{
+  double sum = 0;
+  std::size_t edges = 0;
+  for (Remeshing_mesh::Index h = 0; h < 4 * Remeshing_mesh::Index(mesh.number_of_face_slots()); ++h) {
+    if (mesh.corner(h) == 3 || !mesh.is_face(h >> 2) || !(mesh.is_border(h) || mesh.opposite(h) > h)) continue;
+    sum += std::sqrt(mesh.squared_edge_length(h));
+    ++edges;
+  }
+  return edges > 0 ? sum / double(edges) : 0.;
 }
 
 // Of the edges that may be split: a protected one stays as long as it is.

@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/evaluate_then_apply.h>
+#include <CGAL/Inter_angle_remeshing/internal/sector_valence.h>
 #include <CGAL/Inter_angle_remeshing/internal/thin_angles.h>
 
 #include <algorithm>
@@ -25,8 +26,8 @@ constexpr double FLIP_NORMAL_COSINE = 0.7;
 inline int flip_gain(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
   const Remeshing_mesh::Index o = mesh.opposite(h);
-  return 4 + 2 * (mesh.deviation(mesh.apex(h)) + mesh.deviation(mesh.apex(o)) -
-                  mesh.deviation(mesh.origin(h)) - mesh.deviation(mesh.origin(o)));
+  return 4 + 2 * (sector_deviation(mesh, mesh.prev(h)) + sector_deviation(mesh, mesh.prev(o)) -
+                  sector_deviation(mesh, h) - sector_deviation(mesh, o));
 }
 
 inline bool is_flip_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
@@ -38,6 +39,12 @@ inline bool is_flip_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
   if (!is_cosine_at_least(triangle_cross(a, d, c), sum, FLIP_NORMAL_COSINE) ||
       !is_cosine_at_least(triangle_cross(d, b, c), sum, FLIP_NORMAL_COSINE)) return false;
   if (std::none_of(v, v + 4, [&](Remeshing_mesh::Index u) { return mesh.is_on_curve(u); })) return true;
+  // At an end the flip leaves one face where there were two; between two curve edges it may be too wide.
+  const auto is_wide = [&](const Vector3& p, const Vector3& q, const Vector3& r, Remeshing_mesh::Index k) {
+    return mesh.is_on_curve_edge(k) && corner_cosine(p, q, r) < CURVE_CORNER_COSINE;
+  };
+  if ((mesh.is_on_curve_edge(mesh.prev(h)) && is_wide(a, c, d, mesh.next(o))) ||
+      (mesh.is_on_curve_edge(mesh.next(h)) && is_wide(b, c, d, mesh.prev(o)))) return false;
   return !makes_thin_angle(
     (std::min)(squared_sine_of_smallest_angle(a, b, c), squared_sine_of_smallest_angle(b, a, d)),
     (std::min)(squared_sine_of_smallest_angle(a, d, c), squared_sine_of_smallest_angle(d, b, c)));
@@ -79,14 +86,19 @@ void flip(Context& context, Remeshing_mesh::Index h)
 }
 
 // Half-edges whose flip would pay: it takes an edge from a vertex of too many, or gives one to a vertex that lacks
-// two and whose neighbors across have none too few.
+// two and whose neighbors across have none too few. At a curve each of the sectors may have too many or too few.
 inline void find_paying_flips(const Remeshing_mesh& mesh, Remeshing_mesh::Index v,
                               std::vector<Remeshing_mesh::Index>& found)
 {
   using Index = Remeshing_mesh::Index;
   const int deviation = mesh.deviation(v);
-  const auto pays = [&](Index h) { return !mesh.is_border(h) && flip_gain(mesh, h) < 0; };
-  if (deviation >= 1)
+  const auto pays = [&](Index h) { return !mesh.is_on_curve_edge(h) && flip_gain(mesh, h) < 0; };
+  if (mesh.is_on_curve(v))
+    mesh.for_each_around(v, [&](Index h) {
+      for (const Index e : {h, mesh.next(h)})
+        if (pays(e)) found.push_back(e);
+    });
+  else if (deviation >= 1)
     mesh.for_each_around(v, [&](Index h) { if (pays(h)) found.push_back(h); });
   else if (deviation <= -2)
     mesh.for_each_around(v, [&](Index h) {
@@ -102,13 +114,14 @@ std::size_t flip_pass(Context& context)
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
   std::vector<Index> candidates;
+  measure_sectors<ConcurrencyTag>(mesh);
   scan_into<ConcurrencyTag>(candidates, mesh.number_of_vertex_slots(), [&](std::size_t v, std::vector<Index>& found) {
     if (mesh.is_vertex(Index(v))) find_paying_flips(mesh, Index(v), found);
   });
   std::size_t flips = 0;
   evaluate_then_apply<ConcurrencyTag>(mesh, candidates,
     [&](Index h) -> bool {
-      return !mesh.is_border(h) && flip_gain(mesh, h) < 0 && is_flip_allowed(context, h, false);
+      return !mesh.is_on_curve_edge(h) && flip_gain(mesh, h) < 0 && is_flip_allowed(context, h, false);
     },
     [&](Index h, bool is_to_flip) {
       if (!is_to_flip) return;

@@ -44,7 +44,7 @@ inline bool find_glide(const Remeshing_mesh& mesh, Remeshing_mesh::Index h0, Rem
   const auto is_new = [&](Index v) {
     return std::find(visited.begin(), visited.begin() + number_of_visited, v) == visited.begin() + number_of_visited;
   };
-  int deviation_p = mesh.deviation(p), deviation_q = mesh.deviation(mesh.target(h0));
+  int deviation_p = sector_deviation(mesh, h0), deviation_q = sector_deviation(mesh, mesh.opposite(h0));
   int total = 0;
   glide.length = 0;
   Index h = side;
@@ -56,8 +56,8 @@ inline bool find_glide(const Remeshing_mesh& mesh, Remeshing_mesh::Index h0, Rem
     const Index o = mesh.opposite(e);
     if (o < 0 || mesh.is_constrained(e)) return false;
     const Index z = mesh.apex(o);
-    if (!is_new(y) || !is_new(z) || !mesh.is_free(y) || !mesh.is_free(z)) return false;
-    const int deviation_y = mesh.deviation(y), deviation_z = mesh.deviation(z);
+    if (!is_new(y) || !is_new(z)) return false;
+    const int deviation_y = sector_deviation(mesh, mesh.prev(h)), deviation_z = sector_deviation(mesh, mesh.prev(o));
     total += 4 + 2 * ((deviation_q + deviation_z) - (deviation_p + deviation_y));
     glide.edges[glide.length++] = {p, y};
     if (total < 0) return true;
@@ -65,7 +65,9 @@ inline bool find_glide(const Remeshing_mesh& mesh, Remeshing_mesh::Index h0, Rem
     visited[number_of_visited++] = y;
     visited[number_of_visited++] = z;
     // On into the face across yz, away from the flipped edge.
-    h = mesh.opposite(starts_at_p ? mesh.next(o) : mesh.prev(o));
+    const Index across = starts_at_p ? mesh.next(o) : mesh.prev(o);
+    if (mesh.is_on_curve_edge(across)) return false;
+    h = mesh.opposite(across);
     p = z;
     deviation_p = deviation_z + 1;
     deviation_q = deviation_y - 1;
@@ -92,11 +94,10 @@ bool perform_glide(Context& context, const Glide& glide)
   return true;
 }
 
-// Whether h runs from a free vertex with too many edges to a free one with too few.
+// Whether h runs from a vertex with too many edges to one with too few, on a curve in the sectors that meet at h.
 inline bool is_dislocation(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
-  const Remeshing_mesh::Index p = mesh.origin(h), q = mesh.target(h);
-  return mesh.deviation(p) >= 1 && mesh.deviation(q) <= -1 && mesh.is_free(p) && mesh.is_free(q);
+  return !mesh.is_on_curve_edge(h) && sector_deviation(mesh, h) >= 1 && sector_deviation(mesh, mesh.opposite(h)) <= -1;
 }
 
 // Returns the number of glides.
@@ -108,7 +109,7 @@ std::size_t glide_pass(Context& context)
   const Recipe& recipe = context.recipe;
   std::vector<Index> candidates;
   scan_into<ConcurrencyTag>(candidates, mesh.number_of_vertex_slots(), [&](std::size_t v, std::vector<Index>& found) {
-    if (!mesh.is_vertex(Index(v)) || mesh.deviation(Index(v)) < 1) return;
+    if (!mesh.is_vertex(Index(v)) || (mesh.deviation(Index(v)) < 1 && !mesh.is_on_curve(Index(v)))) return;
     mesh.for_each_around(Index(v), [&](Index h) {
       if (!is_dislocation(mesh, h)) return;
       Glide glide;

@@ -15,9 +15,11 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <functional>
+#include <vector>
 
 // The projectors that passes see: `Vector3 operator()(const Vector3& q, Index& hint) const`, in the units of the flat
-// mesh. `hint` is the face where a walk starts and ends; projectors that know no faces leave it alone.
+// mesh. `hint` is the face where a walk starts and ends; projectors that know no faces leave it alone. `face_of()`
+// tells which of these faces is a face of the input, -1 where none is.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -51,6 +53,7 @@ struct Surface_projection
   double smooth_length = 0;              // and from which on the MLS surface counts alone
   // Rules where it is given, in the surface's units; the walk then serves for the hint alone.
   const std::function<Vector3(const Vector3&)>* rule = nullptr;
+  const std::vector<Corner_table::Index>* face_of_source = nullptr;   // where the surface's faces are those of the input
 
   Vector3 operator()(const Vector3& q, Corner_table::Index& hint) const
   {
@@ -72,6 +75,11 @@ struct Surface_projection
     const double t = (length - facet_length) / (smooth_length - facet_length);
     return t * t * (3 - 2 * t);
   }
+  // The face that is the input's face `source`; negative where the surface is another one.
+  Corner_table::Index face_of(Corner_table::Index source) const
+  {
+    return face_of_source == nullptr ? -1 : (*face_of_source)[source];
+  }
   // Whether the face of the hint looks to the same side as the normal: if not, it belongs to another sheet.
   bool is_compatible(Corner_table::Index hint, const Vector3& normal) const
   {
@@ -92,6 +100,7 @@ struct No_projection
   static constexpr bool IS_CONCURRENT = true;
 
   Vector3 operator()(const Vector3& q, Corner_table::Index&) const { return q; }
+  Corner_table::Index face_of(Corner_table::Index) const { return -1; }
   bool is_compatible(Corner_table::Index, const Vector3&) const { return true; }
   bool is_opposite(Corner_table::Index, const Vector3&) const { return false; }
 };
@@ -111,6 +120,7 @@ struct Point_functor_projection
     const Point_3 r = functor(Point_3(p.x, p.y, p.z));
     return (1 / unit) * to_finite_vector(r);
   }
+  Corner_table::Index face_of(Corner_table::Index) const { return -1; }
   bool is_compatible(Corner_table::Index, const Vector3&) const { return true; }
   bool is_opposite(Corner_table::Index, const Vector3&) const { return false; }
 };
@@ -143,6 +153,7 @@ public:
     const Point_3 r = functor_(carrier_);
     return (1 / unit_) * to_finite_vector(r);
   }
+  Corner_table::Index face_of(Corner_table::Index) const { return -1; }
   bool is_compatible(Corner_table::Index, const Vector3&) const { return true; }
   bool is_opposite(Corner_table::Index, const Vector3&) const { return false; }
 

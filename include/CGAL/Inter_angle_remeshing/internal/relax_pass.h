@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_RELAX_PASS_H
 
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
+#include <CGAL/Inter_angle_remeshing/internal/Input_curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/Sweep_data.h>
 #include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
 #include <CGAL/Inter_angle_remeshing/internal/thin_angles.h>
@@ -19,7 +20,8 @@
 #include <vector>
 
 // Moves vertices tangentially towards the centre of their neighbors and pulls them back onto the surface (Zheng and
-// Lv, relocation): p' = p + λ (I - n nᵀ)(centre - p). Sweeps run in place (Gauss-Seidel) with λ > 1.
+// Lv, relocation): p' = p + λ (I - n nᵀ)(centre - p). Sweeps run in place (Gauss-Seidel) with λ > 1. Vertices on curves slide
+// along them, by the part of that step that leads there.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -40,6 +42,8 @@ constexpr int STEP_TRIALS = 3;
 // of the length that it has in an equilateral triangle of the star's mean area, turns no face. In terms of the faces'
 // cross products c, the square of the altitude is |c_min|² / (2/√3 mean |c|).
 constexpr double SAFE_STEP = 0.75;
+// λ of a slide, and the largest part of the way to the next vertex of the curve that it takes.
+constexpr double SLIDE_RELAXATION = 1.3, LONGEST_SLIDE = 0.6;
 
 // When vertices are pulled back onto the surface; guarded steps always are.
 enum class Pull_back { never, after_last_sweep };
@@ -57,11 +61,13 @@ class Relaxation
 public:
   using Index = Sweep_data::Index;
 
-  explicit Relaxation(const Recipe& recipe) : recipe_(recipe) {}
+  Relaxation(const Recipe& recipe, const Input_curves& curves) : recipe_(recipe), curves_(curves) {}
 
-  // Returns the number of vertices that may have moved.
+  // Returns the number of vertices that may have moved. Slides leave no chord further than `curve_tolerance` from its
+  // curve, unless it is that already.
   template <class ConcurrencyTag, class Projector>
-  std::size_t run(Remeshing_mesh& mesh, const Projector& projector, unsigned sweeps, Pull_back pull_back);
+  std::size_t run(Remeshing_mesh& mesh, const Projector& projector, unsigned sweeps, Pull_back pull_back,
+                  double curve_tolerance);
 
 private:
   using Mobility = Sweep_data::Mobility;
@@ -81,6 +87,7 @@ private:
   Star star_of(std::size_t i, int valence) const;
   double rho(std::size_t i, const Star& star, double length_of_cross) const;
   Vector3 to_centre(std::size_t i) const;
+  Vector3 to_uniform_centre(std::size_t i) const;
   Vector3 to_weighted_centre(std::size_t i) const;
 
   static double damping(double rho)
@@ -98,10 +105,15 @@ private:
   void take_step(std::size_t i, const Vector3& step);
   template <class Projector>
   void take_guarded_step(std::size_t i, const Vector3& step, const Projector& projector);
+  void slide(std::size_t i);
+  double chord_deviation(std::size_t i, double shift, const Vector3& p) const;
   template <class ConcurrencyTag, class Projector>
   void project_all(const Projector& projector);
 
   const Recipe& recipe_;
+  const Input_curves& curves_;
+  Remeshing_mesh* mesh_ = nullptr;    // of the run: keeps the places on curves
+  double curve_tolerance_ = 0;
   Sweep_data data_;
   std::vector<Vector3> normal_;       // unit
   std::vector<double> step_factor_;   // λ times damping; negative: guarded
@@ -142,7 +154,11 @@ inline Relaxation::Star Relaxation::star(std::size_t i) const
 
 BOOST_FORCEINLINE Vector3 Relaxation::to_centre(std::size_t i) const
 {
-  if (recipe_.weights != Recipe::Weights::uniform) return to_weighted_centre(i);
+  return recipe_.weights == Recipe::Weights::uniform ? to_uniform_centre(i) : to_weighted_centre(i);
+}
+
+BOOST_FORCEINLINE Vector3 Relaxation::to_uniform_centre(std::size_t i) const
+{
   const int n = data_.valence(i);
   const Index* r = data_.ring(i);
   const std::vector<Vector3>& x = data_.position;
@@ -235,6 +251,7 @@ void Relaxation::sweep(std::size_t begin, std::size_t end, unsigned number, cons
   const bool is_first = number == 0, takes_normals = number % SWEEPS_A_NORMAL == 0;
   for (std::size_t i = begin; i < end; ++i) {
     if (data_.mobility[i] == Mobility::fixed) continue;
+    if (data_.is_sliding(i)) { slide(i); continue; }
     const Vector3 step = is_first || std::signbit(step_factor_[i]) ? refresh(i)
                          : takes_normals ? refresh_normal(i) : to_centre(i);
     const Vector3 tangential = step - dot(step, normal_[i]) * normal_[i];
@@ -244,38 +261,26 @@ void Relaxation::sweep(std::size_t begin, std::size_t end, unsigned number, cons
 }
 
 // Whether no face around vertex i turns by more than 60 degrees when the vertex moves to q, unless it turns towards
-// the normal of the star: a face that lies on its back, or a needle whose normal means little, may.
+// the normal of the star: a face that lies on its back, or a needle whose normal means little, may. A sliding vertex has
+// no such normal.
 inline bool Relaxation::turns_no_face(std::size_t i, const Vector3& q) const
 {
-  const int n = data_.valence(i);
-  const Index* ring = data_.ring(i);
   const Vector3& p = data_.position[i];
-  Vector3 previous = data_.position[ring[n - 1]];
-  for (int k = 0; k < n; ++k) {
-    const Vector3 current = data_.position[ring[k]];
-    const Vector3 before = triangle_cross(p, previous, current), after = triangle_cross(q, previous, current);
-    if (!is_cosine_at_least(before, after, STEP_NORMAL_COSINE) && !turns_towards(before, after, normal_[i])) return false;
-    previous = current;
-  }
-  return true;
+  return data_.all_of_link(i, [&](Index u, Index v) {
+    const Vector3 &a = data_.position[u], &b = data_.position[v];
+    const Vector3 before = triangle_cross(p, a, b), after = triangle_cross(q, a, b);
+    return is_cosine_at_least(before, after, STEP_NORMAL_COSINE) || turns_towards(before, after, normal_[i]);
+  });
 }
 
 // The squared sine of the smallest angle of the faces around vertex i if it lay at p.
 inline double Relaxation::smallest_angle(std::size_t i, const Vector3& p) const
 {
-  const int n = data_.valence(i);
-  const Index* ring = data_.ring(i);
   double smallest = 1;
-  Vector3 previous = data_.position[ring[n - 1]];
-  double previous_length = squared_distance(p, previous);
-  for (int k = 0; k < n; ++k) {
-    const Vector3 current = data_.position[ring[k]];
-    const double length = squared_distance(p, current);
-    smallest = (std::min)(smallest, squared_sine_of_smallest_angle(
-      squared_length(triangle_cross(p, previous, current)), previous_length, length, squared_distance(previous, current)));
-    previous = current;
-    previous_length = length;
-  }
+  data_.all_of_link(i, [&](Index u, Index v) {
+    smallest = (std::min)(smallest, squared_sine_of_smallest_angle(p, data_.position[u], data_.position[v]));
+    return true;
+  });
   return smallest;
 }
 
@@ -313,6 +318,47 @@ void Relaxation::take_guarded_step(std::size_t i, const Vector3& step, const Pro
   }
 }
 
+// How far the curve is from the two chords at sliding vertex i if it lay at p, which is `shift` further on the curve.
+inline double Relaxation::chord_deviation(std::size_t i, double shift, const Vector3& p) const
+{
+  double largest = 0;
+  const Sweep_data::Slide& slide = data_.slide(i);
+  for (const int k : {0, 1}) {
+    const Index end = slide.ends[k];
+    largest = (std::max)(largest, curves_.deviation(mesh_->curve_of(end), mesh_->arc_length(end) + shift,
+                                                    mesh_->arc_length(end ^ 1), p, data_.position[slide.neighbors[k]]));
+  }
+  return largest;
+}
+
+// Moves vertex i along its curve, towards the centre of its neighbors.
+inline void Relaxation::slide(std::size_t i)
+{
+  const auto& [ends, neighbors] = data_.slide(i);
+  const Index curve = mesh_->curve_of(ends[0]);
+  const double t = mesh_->arc_length(ends[0]);
+  double low = mesh_->arc_length(ends[0] ^ 1) - t, high = mesh_->arc_length(ends[1] ^ 1) - mesh_->arc_length(ends[1]);
+  const bool is_reversed = low > high;
+  if (is_reversed) std::swap(low, high);
+  if (!(low < 0 && high > 0)) return;
+  normal_[i] = Vector3();
+  const Vector3& p = data_.position[i];
+  const Vector3 along = data_.position[neighbors[is_reversed ? 0 : 1]] - data_.position[neighbors[is_reversed ? 1 : 0]];
+  const double l = length(along);
+  if (!(l > 0)) return;
+  const double wanted = SLIDE_RELAXATION * dot(to_uniform_centre(i), along) / l;
+  double shift = (std::min)(LONGEST_SLIDE * high, (std::max)(LONGEST_SLIDE * low, wanted));
+  for (int trial = 0; trial < STEP_TRIALS; ++trial, shift /= 2) {
+    const Vector3 q = curves_.point(curve, t + shift);
+    if (!turns_no_face(i, q) || makes_thin_face(i, q)) continue;
+    const double deviation = chord_deviation(i, shift, q);
+    if (deviation > curve_tolerance_ && deviation > chord_deviation(i, 0, p)) continue;
+    data_.position[i] = q;
+    for (const Index end : ends) mesh_->arc_length(end) += shift;
+    return;
+  }
+}
+
 // A vertex whose projection would turn a face goes a part of the way, and the rest as its neighbors make room. One
 // whose projection would lead onto another sheet stays where it is until the next time.
 template <class ConcurrencyTag, class Projector>
@@ -320,7 +366,7 @@ void Relaxation::project_all(const Projector& projector)
 {
   data_.for_each_coloured_block<ConcurrencyTag>([&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (data_.mobility[i] == Mobility::fixed) continue;
+      if (data_.mobility[i] == Mobility::fixed || data_.is_sliding(i)) continue;
       Index hint = data_.hint[i];
       const Vector3 q = projector(data_.position[i], hint);
       if (!projector.is_compatible(hint, normal_[i])) continue;
@@ -331,16 +377,19 @@ void Relaxation::project_all(const Projector& projector)
 }
 
 template <class ConcurrencyTag, class Projector>
-std::size_t Relaxation::run(Remeshing_mesh& mesh, const Projector& projector, unsigned sweeps, Pull_back pull_back)
+std::size_t Relaxation::run(Remeshing_mesh& mesh, const Projector& projector, unsigned sweeps, Pull_back pull_back,
+                            double curve_tolerance)
 {
   using Tag = std::conditional_t<Projector::IS_CONCURRENT, ConcurrencyTag, CGAL::Sequential_tag>;
+  mesh_ = &mesh;
+  curve_tolerance_ = curve_tolerance;
   data_.read<ConcurrencyTag>(mesh);
   normal_.resize(data_.size());
   step_factor_.resize(data_.size());
   safe_step_.resize(data_.size());
   if (sweeps == 0)
     for (std::size_t i = 0; i < data_.size(); ++i)
-      if (data_.mobility[i] != Mobility::fixed) refresh(i);
+      if (data_.mobility[i] != Mobility::fixed && !data_.is_sliding(i)) refresh(i);
   for (unsigned s = 0; s < sweeps; ++s) {
     data_.for_each_coloured_block<Tag>([&](std::size_t begin, std::size_t end) {
       sweep(begin, end, s, projector);

@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/Face_count.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remesher.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
+#include <CGAL/Inter_angle_remeshing/internal/feature_detection.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh_exchange.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
@@ -165,6 +166,15 @@ inline void start_where_vertices_are(Remeshing_mesh& mesh)
     mesh.hint(v) = mesh.face(mesh.first(v));
 }
 
+// The surface's faces by the input faces that they are.
+inline std::vector<Remeshing_mesh::Index> faces_by_source(const Reference_surface& surface)
+{
+  std::vector<Remeshing_mesh::Index> result(surface.number_of_faces());
+  for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(result.size()); ++f)
+    result[surface.face_record(f).source] = f;
+  return result;
+}
+
 template <class Functor>
 using Reference_surface_of = decltype(std::declval<const Functor&>().reference_surface());
 template <class Functor, class = void>
@@ -186,28 +196,39 @@ const Functor& referred(const std::reference_wrapper<Functor>& functor) { return
 
 // The default: facets where they are at most twice as long as the target, for they are what the result is measured
 // against; the MLS surface where they are three times as long, for there they would show; smooth between. Where hardly any
-// facet is that long, the run is one at the input's own length, and the facets rule everywhere.
+// facet is that long, the run is one at the input's own length, and the facets rule everywhere; so they do on CAD models,
+// where they are what the design was approximated by.
+struct Input_kind
+{
+  bool is_cad;                   // the dihedral angles tell a CAD model
+  bool has_found_features;       // its sharp edges were found by themselves, and are constrained
+};
+
 struct Default_surface
 {
   static constexpr double FACET_RATIO = 2, SMOOTH_RATIO = 3;
   static constexpr double LEAST_SHARE = 0.05;       // of the area
 
-  Default_surface(const Remeshing_mesh& mesh, double target) : facets(mesh), target_length(target)
+  Default_surface(const Remeshing_mesh& mesh, double target, const Input_kind& kind)
+    : facets(mesh), face_of_source(faces_by_source(facets)), target_length(target)
   {
-    if (!(target > 0)) return;
+    if (!(target > 0) || kind.is_cad) return;
     double all = 0, long_ones = 0;
     for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()); ++f) {
       const double area = length(facets.cross_product(f));
       all += area;
       if (mean_edge_length(facets, f) > FACET_RATIO * target) long_ones += area;
     }
-    if (long_ones > LEAST_SHARE * all) smooth.emplace(facets, FACET_RATIO * target);
+    if (!(long_ones > LEAST_SHARE * all)) return;
+    const std::vector<Remeshing_mesh::Index> creases =
+      kind.has_found_features ? std::vector<Remeshing_mesh::Index>() : find_features(mesh);
+    smooth.emplace(facets, creases, FACET_RATIO * target);
   }
   Default_surface(const Default_surface&) = delete;     // `smooth` refers to `facets`
   Default_surface& operator=(const Default_surface&) = delete;
   Surface_projection projection() const
   {
-    return {facets, 1, smooth ? &*smooth : nullptr, FACET_RATIO * target_length, SMOOTH_RATIO * target_length};
+    return {facets, 1, smooth ? &*smooth : nullptr, FACET_RATIO * target_length, SMOOTH_RATIO * target_length, nullptr, &face_of_source};
   }
 
   // The area of the surface over that of the facets.
@@ -224,18 +245,20 @@ struct Default_surface
   }
 
   Reference_surface facets;
+  std::vector<Remeshing_mesh::Index> face_of_source;
   std::optional<Mls_surface> smooth;
   double target_length;
 };
 
 // The surface of the paper: MLS on the up-sampled facets.
-inline std::function<Vector3(const Vector3&)> paper_surface(const Reference_surface& facets)
+inline std::function<Vector3(const Vector3&)> paper_surface(const Reference_surface& facets,
+                                                            const std::vector<Remeshing_mesh::Index>& creases)
 {
 #ifdef CGAL_EIGEN3_ENABLED
   using Point = CGAL::Simple_cartesian<double>::Point_3;
   using Vector = CGAL::Simple_cartesian<double>::Vector_3;
   std::vector<std::pair<Point, Vector>> samples;
-  for_each_sample(Mls_surface(facets), [&](const Surface_sample& s) {
+  for_each_sample(Mls_surface(facets, creases), [&](const Surface_sample& s) {
     samples.emplace_back(Point(s.point.x, s.point.y, s.point.z), Vector(s.normal.x, s.normal.y, s.normal.z));
   });
   if (samples.empty()) return {};
@@ -244,7 +267,7 @@ inline std::function<Vector3(const Vector3&)> paper_surface(const Reference_surf
     return Vector3{p.x(), p.y(), p.z()};
   };
 #else
-  (void)facets;
+  (void)facets; (void)creases;
   refuse(REMESHING, "Recipe::Surface::paper, as in Recipe::paper(), needs Eigen: define CGAL_EIGEN3_ENABLED");
 #endif
 }
@@ -253,7 +276,7 @@ inline std::function<Vector3(const Vector3&)> paper_surface(const Reference_surf
 // the result lies on: the target length follows its area.
 template <class ConcurrencyTag, class Parameters, class Exchange, class Run>
 Remeshing_report run_with_projector(const Parameters& parameters, const Exchange& exchange, Remeshing_mesh& mesh,
-                                    double& target, const Run& run)
+                                    const Input_kind& kind, double& target, const Run& run)
 {
   using Vertex = std::decay_t<decltype(exchange.input_vertices()[0])>;
   using Point_3 = typename boost::property_traits<decltype(parameters.vertex_point_map)>::value_type;
@@ -263,13 +286,15 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
   if constexpr (std::is_same<Functor, No_map>::value) {
     if (parameters.recipe.surface == Recipe::Surface::paper) {
       const Reference_surface facets(mesh);
-      const auto rule = paper_surface(facets);
+      const std::vector<Remeshing_mesh::Index> face_of_source = faces_by_source(facets);
+      const auto rule = paper_surface(facets, find_features(mesh));
       start_where_vertices_are(mesh);
       Surface_projection projection{facets};
+      projection.face_of_source = &face_of_source;
       if (rule) projection.rule = &rule;
       return run(projection);
     }
-    const Default_surface surface(mesh, target);
+    const Default_surface surface(mesh, target, kind);
     start_where_vertices_are(mesh);
     if (parameters.schedule.wanted_faces > 0) target *= std::sqrt(surface.area_ratio());
     return run(surface.projection());
@@ -307,6 +332,21 @@ auto read_patches(const PatchMap& fpm, const Faces& faces)
   }
 }
 
+// Features are found by themselves where nothing is marked, and where the surface stays the input's: a functor of the
+// user's may lead to any other, a sphere for an icosahedron.
+template <class Parameters>
+Input_kind find_and_mark_features(Remeshing_mesh& mesh, double target, const Parameters& parameters)
+{
+  using Functor = std::decay_t<decltype(referred(parameters.projection_functor))>;
+  constexpr bool keeps_surface = std::is_same<Functor, No_map>::value || Has_reference_surface<Functor>::value;
+  if (!keeps_surface || parameters.recipe.surface == Recipe::Surface::paper) return {false, false};
+  Feature_detector detector(mesh, (std::max)(target, mean_edge_length(mesh)));
+  const bool finds = parameters.constraint_settings.finds_features;
+  if (finds)
+    for (const Remeshing_mesh::Index h : detector.features()) mark_feature(mesh, h);
+  return {detector.is_cad(), finds};
+}
+
 template <class ConcurrencyTag, class FaceRange, class Length, class TriangleMesh, class Parameters>
 Remeshing_report remesh_range(const FaceRange& range, const Length& length, TriangleMesh& tmesh,
                               Parameters& parameters)
@@ -325,16 +365,19 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
 
   mark_constraints(exchange, tmesh, parameters.edge_is_constrained_map, parameters.vertex_is_constrained_map,
                    parameters.face_patch_map, parameters.constraint_settings);
+  const Input_kind kind = find_and_mark_features(exchange.mesh(), target, parameters);
+  lock_corners(exchange.mesh());
   const auto patches = read_patches(parameters.face_patch_map, exchange.input_faces());
   Remeshing_mesh mesh = exchange.take_mesh();
   mesh.renumber<ConcurrencyTag>(morton_order(mesh));
+  const Input_curves curves(mesh);
 
-  const Remeshing_report report = run_with_projector<ConcurrencyTag>(parameters, exchange, mesh, target,
+  const Remeshing_report report = run_with_projector<ConcurrencyTag>(parameters, exchange, mesh, kind, target,
     [&](const auto& projector) {
       using Context = Remeshing_context<Vertex, decltype(parameters.split_policy), decltype(parameters.collapse_policy),
                                         decltype(parameters.flip_policy), std::decay_t<decltype(projector)>,
                                         std::decay_t<decltype(parameters.visitor)>>;
-      Context context{mesh, parameters.recipe, exchange.input_vertices(),
+      Context context{mesh, parameters.recipe, curves, exchange.input_vertices(),
                       boost::graph_traits<TriangleMesh>::null_vertex(), parameters.split_policy,
                       parameters.collapse_policy, parameters.flip_policy, projector, parameters.visitor,
                       parameters.may_collapse_constraints, target};

@@ -6,21 +6,44 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SPLIT_PASS_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/curve_edges.h>
 #include <CGAL/Inter_angle_remeshing/internal/evaluate_then_apply.h>
 
 #include <vector>
 
-// Splits edges that are longer than about 4/3 of the target length at their midpoints (Zheng and Lv, edge splitting).
+// Splits edges that are longer than about 4/3 of the target length at their midpoints (Zheng and Lv, edge splitting); those on
+// curves in the middle of their arcs, and also where they leave the curve.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// A vertex that a split made, and the face onto which the far end of the split edge was projected.
+// A vertex that a split made, and the two faces of the surface from which its place on it is looked for.
 struct Split_vertex
 {
-  Remeshing_mesh::Index vertex, far_hint;
+  Remeshing_mesh::Index vertex, hint, other_hint;
 };
+
+// Before the edge of h is split: where its ends were projected, as far as they are free. One on a curve says nothing
+// about the side of the curve; then the apexes are asked, and at last the input faces that the faces beside descend from.
+template <class Context>
+Split_vertex split_hints(const Context& context, Remeshing_mesh::Index h)
+{
+  using Index = Remeshing_mesh::Index;
+  const Remeshing_mesh& mesh = context.mesh;
+  const Index o = mesh.opposite(h), face = mesh.face(h), across = o >= 0 ? mesh.face(o) : face;
+  const auto hints = [&](Index u, Index v) {
+    const bool has_u = !mesh.is_on_curve(u), has_v = !mesh.is_on_curve(v);
+    return Split_vertex{-1, mesh.hint(has_u ? u : v), has_u || has_v ? mesh.hint(has_v ? v : u) : Index(-1)};
+  };
+  Split_vertex result = hints(mesh.origin(h), mesh.target(h));
+  if (result.other_hint >= 0) return result;
+  result = hints(mesh.apex(h), mesh.apex(o >= 0 ? o : h));
+  if (result.other_hint >= 0) return result;
+  const Index source = context.projector.face_of(mesh.face_record(face).source);
+  if (source >= 0) return {-1, source, context.projector.face_of(mesh.face_record(across).source)};
+  return {-1, result.hint, result.hint};
+}
 
 // New vertices that one task projects; a walk takes about 50 ns.
 constexpr std::size_t PROJECTION_BLOCK = 256;
@@ -46,9 +69,9 @@ void project_split_vertices(Context& context, const std::vector<Split_vertex>& s
     for (std::size_t i = begin; i < end; ++i) {
       const Index v = split[i].vertex;
       const Vector3& q = mesh.position(v);
-      Index hint = mesh.hint(v), other = split[i].far_hint;
+      Index hint = split[i].hint, other = split[i].other_hint;
       projected[i] = context.projector(q, hint);
-      if (other != mesh.hint(v)) {
+      if (other != split[i].hint) {
         const Vector3 p = context.projector(q, other);
         if (squared_distance(p, q) < squared_distance(projected[i], q)) { projected[i] = p; hint = other; }
       }
@@ -81,24 +104,32 @@ std::size_t split_pass(Context& context, std::vector<Remeshing_mesh::Index>& lon
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
   const double limit = context.squared_length_limit(), shortness = context.squared_shortness_limit();
-  const auto midpoint = [&](Index h) { return 0.5 * (mesh.position(mesh.origin(h)) + mesh.position(mesh.target(h))); };
+  const auto midpoint = [&](Index h) {
+    return mesh.has_place(h) ? middle_on_curve(context, h)
+                             : 0.5 * (mesh.position(mesh.origin(h)) + mesh.position(mesh.target(h)));
+  };
+  const auto is_too_long = [&](Index h) {
+    return mesh.has_place(h) ? is_too_long_on_curve(context, h) : mesh.squared_edge_length(h) > limit;
+  };
+  const std::vector<Index> curve_edges = long_curve_edges<ConcurrencyTag>(context);
+  long_edges.insert(long_edges.end(), curve_edges.begin(), curve_edges.end());
 
   std::vector<Split_vertex> split;
   evaluate_then_apply<ConcurrencyTag>(mesh, long_edges,
     [&](Index h) -> bool {
-      if (!(mesh.squared_edge_length(h) > limit) || !mesh.is_split_legal(h) || is_beside_much_longer_edge(mesh, h))
-        return false;
+      if (!is_too_long(h) || !mesh.is_split_legal(h) || is_beside_much_longer_edge(mesh, h)) return false;
       const Vector3 p = midpoint(h);
       return p != mesh.position(mesh.origin(h)) && p != mesh.position(mesh.target(h)) && context.permits_split(h);
     },
     [&](Index h, bool is_to_split) {
       if (!is_to_split) return;
-      const Index far_hint = mesh.hint(mesh.target(h));
+      Split_vertex made = split_hints(context, h);
       context.visitor.before_split(Mesh_halfedge(h), mesh);
-      const Index v = mesh.split(h, midpoint(h));
-      context.visitor.after_split(Mesh_vertex(v), mesh);
-      split.push_back({v, far_hint});
-      mesh.for_each_around(v, [&](Index k) {
+      made.vertex = mesh.split(h, midpoint(h));
+      mesh.hint(made.vertex) = made.hint;
+      context.visitor.after_split(Mesh_vertex(made.vertex), mesh);
+      split.push_back(made);
+      mesh.for_each_around(made.vertex, [&](Index k) {
         if (mesh.squared_edge_length(k) < shortness) short_edges.push_back(k);
       });
     });

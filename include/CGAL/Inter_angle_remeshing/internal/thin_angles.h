@@ -33,6 +33,9 @@ inline double squared_sine_of_smallest_angle(const Vector3& a, const Vector3& b,
                                         squared_distance(b, c), squared_distance(c, a));
 }
 
+// Two edges of a triangle that lie on curves make no larger angle than 100 degrees: nothing could mend it.
+constexpr double CURVE_CORNER_COSINE = -0.17364817766693;
+
 // By the squared sines of the smallest angle before and after an operation.
 inline bool makes_thin_angle(double before, double after) { return after < THIN_SQUARED_SINE && after < before; }
 

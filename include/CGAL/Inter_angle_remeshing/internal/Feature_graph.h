@@ -1,0 +1,320 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURE_GRAPH_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURE_GRAPH_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Edges that may be features, and the chains and components that they form. Border edges of the mesh count where chains
+// meet them.
+class Feature_graph
+{
+public:
+  using Index = Remeshing_mesh::Index;
+
+  // Lengths below are multiples of `length`.
+  Feature_graph(const Remeshing_mesh& mesh, double length) : mesh_(mesh), length_(length), number_(mesh.number_of_vertex_slots(), -1) {}
+
+  void add(Index h, double angle)
+  {
+    const std::array<Index, 2> ends = {number_of(mesh_.origin(h)), number_of(mesh_.target(h))};
+    for (const Index v : ends) incident_[v].push_back(Index(edges_.size()));
+    edges_.push_back({h, ends, angle, std::sqrt(mesh_.squared_edge_length(h)), true});
+  }
+
+  // The half-edges of the edges that are left.
+  std::vector<Index> edges() const
+  {
+    std::vector<Index> result;
+    for (const Edge& e : edges_)
+      if (e.is_left) result.push_back(e.halfedge);
+    return result;
+  }
+
+  void drop_short_components(double least_length)
+  {
+    for (const std::vector<Index>& component : components())
+      if (length_of(component) < least_length * length_) drop(component);
+  }
+
+  // Keeps chains that lead somewhere, in components that are long, sharp, and not a tangle, and of two chains side by side
+  // the stronger one. The creases of animals and folds of clothes end somewhere; the edges of a machine part hardly do.
+  void prune()
+  {
+    for (int pass = 0; pass < 2; ++pass) drop_dangling_chains(STRONG_ANGLE);
+    for (const std::vector<Index>& component : components())
+      if (!is_fit(component)) drop(component);
+    drop_parallel_chains();
+    drop_dangling_chains(0);
+    for (const std::vector<Index>& component : components())
+      if (length_of(component) < (std::max)(LEAST_COMPONENT, LENGTH_A_FREE_END * free_ends(component)) * length_)
+        drop(component);
+  }
+
+private:
+  struct Edge
+  {
+    Index halfedge;
+    std::array<Index, 2> ends;
+    double angle, length;              // degrees; units of the mesh
+    bool is_left;
+  };
+  struct Chain
+  {
+    std::vector<Index> edges;
+    std::array<Index, 2> ends = {-1, -1};    // -1: closed
+    int free_ends = 0;
+  };
+
+  static constexpr double STRONG_ANGLE = 45;
+  static constexpr double DANGLING_LENGTH = 4, LEAST_COMPONENT = 5, LENGTH_A_FREE_END = 40;
+  static constexpr double LEAST_STRONG_SHARE = 0.5, LARGEST_BAD_SHARE = 0.25;
+  static constexpr double BEND_COSINE = 0.7071067811865476;       // 45 degrees
+  static constexpr double PARALLEL_DISTANCE = 0.35, PARALLEL_SHARE = 0.25;
+  static constexpr double ACUTE_COSINE = 0.9063077870366499;      // 25 degrees
+
+  Index number_of(Index v)
+  {
+    if (number_[v] < 0) {
+      number_[v] = Index(vertices_.size());
+      vertices_.push_back(v);
+      incident_.emplace_back();
+    }
+    return number_[v];
+  }
+  Index other_end(Index e, Index v) const { return edges_[e].ends[0] == v ? edges_[e].ends[1] : edges_[e].ends[0]; }
+  const Vector3& position(Index v) const { return mesh_.position(vertices_[v]); }
+
+  template <class Function>
+  void for_each_incident(Index v, const Function& function) const
+  {
+    for (const Index e : incident_[v])
+      if (edges_[e].is_left) function(e);
+  }
+  // With the border's edges.
+  int degree(Index v) const
+  {
+    int n = mesh_.is_border_vertex(vertices_[v]) ? 2 : 0;
+    for_each_incident(v, [&](Index) { ++n; });
+    return n;
+  }
+
+  double length_of(const std::vector<Index>& edges) const
+  {
+    return std::accumulate(edges.begin(), edges.end(), 0., [&](double sum, Index e) { return sum + edges_[e].length; });
+  }
+  double weighted_angle(const std::vector<Index>& edges) const
+  {
+    return std::accumulate(edges.begin(), edges.end(), 0., [&](double sum, Index e) {
+      return sum + edges_[e].length * edges_[e].angle; });
+  }
+  void drop(const std::vector<Index>& edges)
+  {
+    for (const Index e : edges) edges_[e].is_left = false;
+  }
+
+  std::vector<std::vector<Index>> components() const;
+  std::vector<Chain> chains() const;
+  void follow(Index e, int side, Chain& chain, std::vector<char>& is_passed) const;
+  void drop_dangling_chains(double least_angle);
+  bool is_fit(const std::vector<Index>& component) const;
+  int free_ends(const std::vector<Index>& component) const;
+  bool bends(Index v) const;
+  void drop_parallel_chains();
+
+  const Remeshing_mesh& mesh_;
+  double length_;
+  std::vector<Index> number_, vertices_;       // of the mesh's vertices here, and back
+  std::vector<std::vector<Index>> incident_;
+  std::vector<Edge> edges_;
+};
+
+inline std::vector<std::vector<Feature_graph::Index>> Feature_graph::components() const
+{
+  std::vector<std::vector<Index>> result;
+  std::vector<char> is_passed(edges_.size(), 0);
+  for (Index first = 0; first < Index(edges_.size()); ++first) {
+    if (is_passed[first] || !edges_[first].is_left) continue;
+    result.emplace_back(1, first);
+    is_passed[first] = 1;
+    for (std::size_t i = 0; i < result.back().size(); ++i)
+      for (const Index v : edges_[result.back()[i]].ends)
+        for_each_incident(v, [&](Index e) {
+          if (!is_passed[e]) result.back().push_back(e);
+          is_passed[e] = 1;
+        });
+  }
+  return result;
+}
+
+// Goes on from the end `side` of edge e until the graph ends or branches.
+inline void Feature_graph::follow(Index e, int side, Chain& chain, std::vector<char>& is_passed) const
+{
+  Index v = edges_[e].ends[side];
+  for (;;) {
+    const int d = degree(v);
+    if (d != 2) {
+      chain.ends[side] = v;
+      chain.free_ends += d == 1;
+      return;
+    }
+    Index following = -1;
+    for_each_incident(v, [&](Index k) { if (!is_passed[k]) following = k; });
+    if (following < 0) return;                 // around
+    is_passed[following] = 1;
+    chain.edges.push_back(following);
+    v = other_end(following, v);
+  }
+}
+
+inline std::vector<Feature_graph::Chain> Feature_graph::chains() const
+{
+  std::vector<Chain> result;
+  std::vector<char> is_passed(edges_.size(), 0);
+  for (Index e = 0; e < Index(edges_.size()); ++e) {
+    if (is_passed[e] || !edges_[e].is_left) continue;
+    is_passed[e] = 1;
+    Chain chain;
+    chain.edges.push_back(e);
+    for (const int side : {0, 1}) follow(e, side, chain, is_passed);
+    result.push_back(std::move(chain));
+  }
+  return result;
+}
+
+inline void Feature_graph::drop_dangling_chains(double least_angle)
+{
+  for (const Chain& chain : chains()) {
+    if (chain.free_ends == 0) continue;
+    const double l = length_of(chain.edges);
+    if (l < chain.free_ends * DANGLING_LENGTH * length_ || weighted_angle(chain.edges) < least_angle * l) drop(chain.edges);
+  }
+}
+
+// Whether v is not the middle of a smooth curve.
+inline bool Feature_graph::bends(Index v) const
+{
+  std::vector<Vector3> directions;
+  for_each_incident(v, [&](Index e) { directions.push_back(position(other_end(e, v)) - position(v)); });
+  return degree(v) != 2 || directions.size() != 2 || !is_cosine_at_least(directions[0], -1. * directions[1], BEND_COSINE);
+}
+
+inline bool Feature_graph::is_fit(const std::vector<Index>& component) const
+{
+  const double l = length_of(component);
+  double strong = 0;
+  std::vector<Index> vertices;
+  for (const Index e : component) {
+    if (edges_[e].angle >= STRONG_ANGLE) strong += edges_[e].length;
+    vertices.insert(vertices.end(), edges_[e].ends.begin(), edges_[e].ends.end());
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const auto bad = std::count_if(vertices.begin(), vertices.end(), [&](Index v) { return bends(v); });
+  return strong >= LEAST_STRONG_SHARE * l &&
+         double(bad) <= LARGEST_BAD_SHARE * double(vertices.size());
+}
+
+inline int Feature_graph::free_ends(const std::vector<Index>& component) const
+{
+  int n = 0;
+  for (const Index e : component)
+    for (const Index v : edges_[e].ends) n += degree(v) == 1;
+  return n;
+}
+
+// Strongest first, chains are accepted unless they run beside an accepted one or the border, or leave a vertex in nearly
+// the same direction as an accepted one.
+inline void Feature_graph::drop_parallel_chains()
+{
+  const double distance = PARALLEL_DISTANCE * length_;
+  using Cell = std::array<std::int64_t, 3>;
+  struct Hash
+  {
+    std::size_t operator()(const Cell& c) const
+    {
+      return std::size_t(c[0]) * 73856093u ^ std::size_t(c[1]) * 19349663u ^ std::size_t(c[2]) * 83492791u;
+    }
+  };
+  std::unordered_map<Cell, std::vector<Vector3>, Hash> accepted;
+  const auto cell_of = [&](const Vector3& p) {
+    return Cell{std::int64_t(std::floor(p.x / distance)), std::int64_t(std::floor(p.y / distance)),
+                std::int64_t(std::floor(p.z / distance))};
+  };
+  const auto is_beside_accepted = [&](const Vector3& p) {
+    const Cell c = cell_of(p);
+    for (int i = -1; i <= 1; ++i)
+      for (int j = -1; j <= 1; ++j)
+        for (int k = -1; k <= 1; ++k) {
+          const auto found = accepted.find(Cell{c[0] + i, c[1] + j, c[2] + k});
+          if (found == accepted.end()) continue;
+          for (const Vector3& q : found->second)
+            if (squared_distance(p, q) < distance * distance) return true;
+        }
+    return false;
+  };
+  const auto for_each_sample = [&](const Vector3& a, const Vector3& b, const auto& function) {
+    const int n = (std::max)(1, int(std::ceil(internal::length(b - a) / (0.4 * distance))));
+    for (int i = 0; i < n; ++i) function(a + ((i + 0.5) / n) * (b - a));
+  };
+  const auto accept = [&](const Vector3& p) { accepted[cell_of(p)].push_back(p); };
+
+  for (Index h = 0; h < 4 * Index(mesh_.number_of_face_slots()); ++h)
+    if (mesh_.corner(h) < 3 && mesh_.is_border(h))
+      for_each_sample(mesh_.position(mesh_.origin(h)), mesh_.position(mesh_.target(h)), accept);
+
+  std::vector<Chain> all = chains();
+  std::stable_sort(all.begin(), all.end(), [&](const Chain& a, const Chain& b) {
+    return weighted_angle(a.edges) > weighted_angle(b.edges);
+  });
+  std::vector<std::vector<Vector3>> directions(vertices_.size());     // of accepted chains
+  for (const Chain& chain : all) {
+    std::vector<std::pair<Index, Vector3>> leaving;
+    for (const Index e : chain.edges)
+      for (const Index v : edges_[e].ends)
+        if (v == chain.ends[0] || v == chain.ends[1]) leaving.emplace_back(v, position(other_end(e, v)) - position(v));
+    const bool is_acute = std::any_of(leaving.begin(), leaving.end(), [&](const auto& l) {
+      return std::any_of(directions[l.first].begin(), directions[l.first].end(), [&](const Vector3& d) {
+        return is_cosine_at_least(d, l.second, ACUTE_COSINE); });
+    });
+    // Where chains meet, they are near each other.
+    const auto is_at_junction = [&](const Vector3& p) {
+      return std::any_of(chain.ends.begin(), chain.ends.end(), [&](Index v) {
+        return v >= 0 && degree(v) > 1 && squared_distance(position(v), p) < 2.25 * distance * distance; });
+    };
+    std::vector<Vector3> samples;
+    for (const Index e : chain.edges)
+      for_each_sample(position(edges_[e].ends[0]), position(edges_[e].ends[1]), [&](const Vector3& p) { samples.push_back(p); });
+    std::size_t looked_at = 0, beside = 0;
+    if (!is_acute)
+      for (const Vector3& p : samples) {
+        if (is_at_junction(p)) continue;
+        ++looked_at;
+        beside += is_beside_accepted(p);
+      }
+    if (is_acute || double(beside) > PARALLEL_SHARE * double(looked_at)) { drop(chain.edges); continue; }
+    for (const auto& [v, d] : leaving) directions[v].push_back(d);
+    for (const Vector3& p : samples) accept(p);
+  }
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURE_GRAPH_H

@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_INPUT_CURVES_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_INPUT_CURVES_H
+
+#include <CGAL/Inter_angle_remeshing/internal/curves.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// The input's curves: polylines of border and feature edges from one locked vertex to the next, or closed, parametrised by
+// arc length. What becomes of their edges slides, splits and collapses in that one dimension, and so stays on them.
+// Const after construction.
+class Input_curves
+{
+public:
+  using Index = Remeshing_mesh::Index;
+
+  Input_curves() = default;
+  // Follows the curves of a mesh whose corners are locked, and gives its curve edges their places.
+  explicit Input_curves(Remeshing_mesh& mesh);
+
+  bool empty() const { return curves_.empty(); }
+  // The point at arc length t; on a closed curve t may be any number.
+  Vector3 point(Index curve, double t) const;
+  // A bound of the distance from the part of the curve between s and t to the segment from p to q, which lie there.
+  double deviation(Index curve, double s, double t, Vector3 p, Vector3 q) const;
+
+private:
+  struct Curve
+  {
+    std::size_t begin, end;          // of its points
+    bool is_closed;                  // its last point is its first one again
+  };
+
+  void follow(Remeshing_mesh& mesh, Index v, Index h, std::vector<char>& is_passed);
+  double length(const Curve& c) const { return arc_length_[c.end - 1]; }
+
+  std::vector<Curve> curves_;
+  std::vector<Vector3> points_;
+  std::vector<double> arc_length_;   // by point, from the begin of its curve
+};
+
+// The half-edge, or border side, with which the curve goes on from the target of h; h itself where it ends there.
+inline Remeshing_mesh::Index next_on_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh::Index v = mesh.source(mesh.opposite(h)), back = mesh.opposite(h);
+  Remeshing_mesh::Index result = h;
+  if (!mesh.is_locked(v))
+    for_each_curve_halfedge(mesh, v, [&](Remeshing_mesh::Index k) { if (k != back) result = k; });
+  return result;
+}
+
+inline Input_curves::Input_curves(Remeshing_mesh& mesh)
+{
+  std::vector<char> is_passed(4 * mesh.number_of_face_slots(), 0);    // by the half-edge of an edge that is not a border side
+  for (const bool from_locked : {true, false})
+    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
+      if (!mesh.is_on_curve(v) || mesh.is_locked(v) != from_locked) continue;
+      std::vector<Index> leaving;
+      for_each_curve_halfedge(mesh, v, [&](Index h) { leaving.push_back(h); });
+      for (const Index h : leaving)
+        if (!is_passed[h < 0 ? ~h : h]) follow(mesh, v, h, is_passed);
+    }
+}
+
+// From v over the edge of h, to the next locked vertex or around.
+inline void Input_curves::follow(Remeshing_mesh& mesh, Index v, Index h, std::vector<char>& is_passed)
+{
+  const Index curve = Index(curves_.size());
+  const std::size_t begin = points_.size();
+  points_.push_back(mesh.position(v));
+  arc_length_.push_back(0);
+  bool is_closed = false;
+  for (Index k = h;;) {
+    const Index u = mesh.source(mesh.opposite(k));
+    const double s = arc_length_.back(), t = s + internal::length(mesh.position(u) - points_.back());
+    points_.push_back(mesh.position(u));
+    arc_length_.push_back(t);
+    for (const Index side : {k, mesh.opposite(k)})
+      if (side >= 0) is_passed[side] = 1;
+    if (k >= 0) mesh.set_curve_place(k, {curve, s, t});
+    else mesh.set_curve_place(~k, {curve, t, s});
+    const Index following = next_on_curve(mesh, k);
+    if (following == k) break;
+    if (u == v) { is_closed = true; break; }
+    k = following;
+  }
+  curves_.push_back({begin, points_.size(), is_closed});
+}
+
+inline Vector3 Input_curves::point(Index curve, double t) const
+{
+  const Curve& c = curves_[curve];
+  if (c.is_closed && length(c) > 0) t -= std::floor(t / length(c)) * length(c);
+  const double *first = arc_length_.data() + c.begin, *last = arc_length_.data() + c.end;
+  const std::size_t i = c.begin + std::size_t(std::upper_bound(first + 1, last - 1, t) - first);
+  const double l = arc_length_[i] - arc_length_[i - 1];
+  const double u = l > 0 ? (std::min)(1., (std::max)(0., (t - arc_length_[i - 1]) / l)) : 0.;
+  return (1 - u) * points_[i - 1] + u * points_[i];
+}
+
+inline double Input_curves::deviation(Index curve, double s, double t, Vector3 p, Vector3 q) const
+{
+  if (s > t) { std::swap(s, t); std::swap(p, q); }
+  const Curve& c = curves_[curve];
+  const double period = c.is_closed ? length(c) : 0;
+  double turns = period > 0 ? std::floor(s / period) * period : 0.;
+  const double* first = arc_length_.data();
+  std::size_t i = std::size_t(std::upper_bound(first + c.begin, first + c.end, s - turns) - first);
+  double largest = 0;
+  for (;; ++i) {
+    if (i == c.end) {
+      if (!(period > 0)) break;
+      turns += period;
+      i = c.begin + 1;
+    }
+    if (arc_length_[i] + turns >= t) break;
+    largest = (std::max)(largest, squared_distance_to_segment(points_[i], p, q));
+  }
+  return std::sqrt(largest);
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_INPUT_CURVES_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_CURVE_EDGES_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_CURVE_EDGES_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Input_curves.h>
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+// When an edge on a curve is too long, too short, or too far from the curve.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// The chord of an edge may lie this far from the curve, in target lengths,
+constexpr double CURVE_TOLERANCE = 0.05;
+// unless the edge is shorter than this many target lengths: then the curve is too jagged to follow.
+constexpr double SHORTEST_BENT_EDGE = 0.6;
+// Where a face has all its vertices on curves, in a strip or a thin wall, its edge on one of these should be no longer
+// than this many times its height, nor need it be shorter than this part of the target length.
+constexpr double STRIP_ASPECT = 2, SHORTEST_IN_STRIP = 0.3;
+
+// The target length of a curve edge.
+template <class Context>
+double target_on_curve(const Context& context, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh& mesh = context.mesh;
+  double target = context.target_length;
+  for (const Remeshing_mesh::Index side : {h, mesh.opposite(h)}) {
+    if (side < 0 || !mesh.is_on_curve(mesh.apex(side)) || mesh.is_on_curve_edge(mesh.next(side)) ||
+        mesh.is_on_curve_edge(mesh.prev(side))) continue;
+    const Vector3 &a = mesh.position(mesh.origin(side)), &b = mesh.position(mesh.target(side));
+    const double l = length(b - a);
+    if (!(l > 0)) continue;
+    const double height = length(triangle_cross(a, b, mesh.position(mesh.apex(side)))) / l;
+    target = (std::min)(target, (std::max)(STRIP_ASPECT * height, SHORTEST_IN_STRIP * context.target_length));
+  }
+  return target;
+}
+
+// How far the curve is from the edge of h.
+template <class Context>
+double deviation_from_curve(const Context& context, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh& mesh = context.mesh;
+  const Remeshing_mesh::Curve_place place = mesh.curve_place(h);
+  return context.curves.deviation(place.curve, place.origin, place.target, mesh.position(mesh.origin(h)),
+                                  mesh.position(mesh.target(h)));
+}
+
+template <class Context>
+bool is_too_long_on_curve(const Context& context, Remeshing_mesh::Index h)
+{
+  const double length = std::sqrt(context.mesh.squared_edge_length(h)), target = context.target_length;
+  return length > context.recipe.split_ratio * target_on_curve(context, h) ||
+         (length > SHORTEST_BENT_EDGE * target && deviation_from_curve(context, h) > CURVE_TOLERANCE * target);
+}
+
+template <class Context>
+bool is_too_short_on_curve(const Context& context, Remeshing_mesh::Index h)
+{
+  return std::sqrt(context.mesh.squared_edge_length(h)) < context.recipe.collapse_ratio * target_on_curve(context, h);
+}
+
+// The point of the curve in the middle of the arc that the edge of h stands for.
+template <class Context>
+Vector3 middle_on_curve(const Context& context, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh::Curve_place place = context.mesh.curve_place(h);
+  return context.curves.point(place.curve, 0.5 * (place.origin + place.target));
+}
+
+// One half-edge of each edge on a curve that is too long.
+template <class ConcurrencyTag, class Context>
+std::vector<Remeshing_mesh::Index> long_curve_edges(const Context& context)
+{
+  using Index = Remeshing_mesh::Index;
+  const Remeshing_mesh& mesh = context.mesh;
+  std::vector<Index> found;
+  if (!mesh.has_curves()) return found;
+  scan_into<ConcurrencyTag>(found, mesh.number_of_face_slots(), [&](std::size_t f, std::vector<Index>& out) {
+    if (!mesh.is_face(Index(f)) || mesh.face_record(Index(f)).edge_flags == 0) return;
+    for (Index h = Index(4 * f); h < Index(4 * f) + 3; ++h)
+      if (mesh.has_place(h) && (mesh.is_border(h) || mesh.opposite(h) > h) && is_too_long_on_curve(context, h))
+        out.push_back(h);
+  });
+  return found;
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_CURVE_EDGES_H

@@ -1,0 +1,265 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURE_DETECTION_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURE_DETECTION_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Feature_graph.h>
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+// Which edges of a mesh are sharp, with nothing known but the mesh. On a CAD model, which shows in its dihedral angles,
+// every edge of 40 degrees and more is. Elsewhere the normals are filtered first; what then stands out of its surroundings
+// and continues for some length is a feature.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+class Feature_detector
+{
+public:
+  using Index = Remeshing_mesh::Index;
+
+  // Features shorter than a few times `length`, or than a few edges of the mesh, are none.
+  Feature_detector(const Remeshing_mesh& mesh, double length) : mesh_(mesh), length_(length)
+  {
+    find_normals();
+    is_cad_ = looks_like_cad();
+  }
+
+  bool is_cad() const { return is_cad_; }
+  // One half-edge of each feature.
+  std::vector<Index> features()
+  {
+    if (is_cad_) return edges_over(CAD_ANGLE);
+    find_active_faces();
+    if (active_.empty()) return {};
+    for (int pass = 0; pass < BILATERAL_PASSES; ++pass) filter_normals();
+    Feature_graph graph(mesh_, length_);
+    for (const Index h : outstanding_edges()) graph.add(h, angle(h));
+    graph.prune();
+    return graph.edges();
+  }
+
+private:
+  // Dihedral angles in degrees.
+  static constexpr double CAD_ANGLE = 40, MILD_ANGLE = 12, FLAT_ANGLE = 8;
+  static constexpr double CANDIDATE_ANGLE = 30, LEAST_ANGLE = 30;
+  // A candidate is this many times as sharp as three of the four other edges of its faces, before the filter.
+  static constexpr double CANDIDATE_RATIO = 2.5;
+  // An edge stands out when it is this many times as sharp as the median of the edges around it.
+  static constexpr double OUTSTANDING = 3;
+  static constexpr int BILATERAL_PASSES = 5;
+  static constexpr double NORMAL_DEVIATION = 0.35;      // σ of the filter's weights, as a distance of unit normals
+  static constexpr double LEAST_CANDIDATE_LENGTH = 4;   // of connected candidates, in lengths
+  static constexpr int RINGS = 2;                       // around candidates that are filtered
+
+  static double cosine_of(double degrees) { return std::cos(degrees * (CGAL_PI / 180)); }
+
+  void find_normals()
+  {
+    normal_.resize(mesh_.number_of_face_slots());
+    area_.resize(normal_.size());
+    for (Index f = 0; f < Index(normal_.size()); ++f) {
+      const Vector3 &a = mesh_.position(mesh_.origin(4 * f)), &b = mesh_.position(mesh_.origin(4 * f + 1)),
+                    &c = mesh_.position(mesh_.origin(4 * f + 2));
+      const Vector3 n = triangle_cross(a, b, c);
+      const double l = internal::length(n);
+      area_[f] = float(l);
+      if (!is_degenerate(n, a, b, c)) normal_[f] = (1 / l) * n;
+    }
+  }
+
+  // The cosine of the dihedral angle; 1 on the border and beside faces without a normal.
+  double cosine(Index h) const
+  {
+    const Index o = mesh_.opposite(h);
+    if (o < 0) return 1;
+    const Vector3 &m = normal_[h >> 2], &n = normal_[o >> 2];
+    return m == Vector3() || n == Vector3() ? 1. : dot(m, n);
+  }
+  double angle(Index h) const { return std::acos((std::max)(-1., (std::min)(1., cosine(h)))) * (180 / CGAL_PI); }
+
+  template <class Function>
+  void for_each_inner_edge(const Function& function) const
+  {
+    for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f)
+      for (Index h = 4 * f; h < 4 * f + 3; ++h)
+        if (mesh_.opposite(h) > h) function(h);
+  }
+
+  std::vector<Index> edges_over(double degrees) const
+  {
+    const double bound = cosine_of(degrees);
+    std::vector<Index> found;
+    for_each_inner_edge([&](Index h) { if (cosine(h) <= bound) found.push_back(h); });
+    return found;
+  }
+
+  // CAD models have sharp edges and flat ones, and few in between.
+  bool looks_like_cad() const
+  {
+    const double sharp = cosine_of(CAD_ANGLE), mild = cosine_of(MILD_ANGLE), flat = cosine_of(FLAT_ANGLE);
+    double of_sharp = 0, of_mild = 0;
+    std::size_t flat_edges = 0, edges = 0;
+    for_each_inner_edge([&](Index h) {
+      const double c = cosine(h);
+      ++edges;
+      flat_edges += c > flat;
+      if (c <= sharp) of_sharp += std::sqrt(mesh_.squared_edge_length(h));
+      else if (c <= mild) of_mild += std::sqrt(mesh_.squared_edge_length(h));
+    });
+    return of_mild < 0.5 * of_sharp || (of_mild < 1.1 * of_sharp && 2 * flat_edges > edges);
+  }
+
+  // The faces that the filter must look at: some rings around connected edges that are sharp over some length.
+  void find_active_faces();
+  bool is_candidate(Index h) const;
+  void filter_normals();
+  Vector3 filtered_normal(Index f) const;
+  std::vector<Index> outstanding_edges();
+  double noise(Index v);
+  double mean_noise(Index v);
+
+  const Remeshing_mesh& mesh_;
+  double length_;
+  bool is_cad_;
+  std::vector<Vector3> normal_;        // unit, by face; zero where the face has none
+  std::vector<float> area_;            // by face, twice
+  std::vector<Index> active_;
+  std::vector<char> is_active_;
+  std::vector<float> noise_;           // by vertex, degrees; negative: not known yet
+};
+
+inline bool Feature_detector::is_candidate(Index h) const
+{
+  const Index o = mesh_.opposite(h);
+  double around[4] = {cosine(mesh_.next(h)), cosine(mesh_.prev(h)), cosine(mesh_.next(o)), cosine(mesh_.prev(o))};
+  std::sort(around, around + 4);
+  return around[1] >= std::cos(std::acos((std::max)(-1., cosine(h))) / CANDIDATE_RATIO);
+}
+
+inline void Feature_detector::find_active_faces()
+{
+  Feature_graph candidates(mesh_, length_);
+  for (const Index h : edges_over(CANDIDATE_ANGLE))
+    if (is_candidate(h)) candidates.add(h, 0);
+  candidates.drop_short_components(LEAST_CANDIDATE_LENGTH);
+
+  std::vector<char> is_reached(mesh_.number_of_vertex_slots(), 0);
+  std::vector<Index> front;
+  const auto reach = [&](Index v, std::vector<Index>& reached) {
+    if (is_reached[v]) return;
+    is_reached[v] = 1;
+    reached.push_back(v);
+  };
+  for (const Index h : candidates.edges()) {
+    reach(mesh_.origin(h), front);
+    reach(mesh_.target(h), front);
+  }
+  is_active_.assign(mesh_.number_of_face_slots(), 0);
+  for (int ring = 0; ring < RINGS; ++ring) {
+    std::vector<Index> next;
+    for (const Index v : front)
+      mesh_.for_each_around(v, [&](Index h) {
+        if (!is_active_[h >> 2]) {
+          is_active_[h >> 2] = 1;
+          active_.push_back(h >> 2);
+        }
+        reach(mesh_.target(h), next);
+        reach(mesh_.apex(h), next);
+      });
+    front.swap(next);
+  }
+}
+
+// The mean of the normals around, by area, and the less the more they differ: flat parts grow flat, edges stay. Faces that
+// share an edge with f count twice.
+inline Vector3 Feature_detector::filtered_normal(Index f) const
+{
+  const Vector3& n = normal_[f];
+  Vector3 sum;
+  for (Index h = 4 * f; h < 4 * f + 3; ++h)
+    mesh_.for_each_around(mesh_.origin(h), [&](Index k) {
+      const Vector3& m = normal_[k >> 2];
+      const double x = squared_distance(m, n) / (2 * NORMAL_DEVIATION * NORMAL_DEVIATION);
+      const double t = (std::max)(0., 1 - x / 8), t2 = t * t, t4 = t2 * t2;       // t⁸, nearly exp(-x)
+      sum += (t4 * t4 * double(area_[k >> 2])) * m;
+    });
+  const double l = length(sum);
+  return l > 0 ? (1 / l) * sum : n;
+}
+
+inline void Feature_detector::filter_normals()
+{
+  std::vector<Vector3> filtered;
+  filtered.reserve(active_.size());
+  for (const Index f : active_) filtered.push_back(normal_[f] == Vector3() ? Vector3() : filtered_normal(f));
+  for (std::size_t i = 0; i < active_.size(); ++i) normal_[active_[i]] = filtered[i];
+}
+
+// The median, by length, of the dihedral angles at v and around its star, the two sharpest at v left out.
+inline double Feature_detector::noise(Index v)
+{
+  if (noise_[v] >= 0) return noise_[v];
+  std::vector<std::pair<double, double>> spokes, all;     // angle and length
+  const auto entry = [&](Index h) { return std::make_pair(angle(h), std::sqrt(mesh_.squared_edge_length(h))); };
+  mesh_.for_each_around(v, [&](Index h) {
+    if (!mesh_.is_border(h)) spokes.push_back(entry(h));
+    if (!mesh_.is_border(mesh_.next(h))) all.push_back(entry(mesh_.next(h)));
+  });
+  std::sort(spokes.rbegin(), spokes.rend());
+  if (spokes.size() > 2) all.insert(all.end(), spokes.begin() + 2, spokes.end());
+  std::sort(all.begin(), all.end());
+  double total = 0, passed = 0, median = 0;
+  for (const auto& [a, l] : all) total += l;
+  for (const auto& [a, l] : all) {
+    passed += l;
+    median = a;
+    if (passed >= total / 2) break;
+  }
+  return noise_[v] = float(median);
+}
+
+inline double Feature_detector::mean_noise(Index v)
+{
+  double sum = noise(v);
+  int n = 1;
+  mesh_.for_each_neighbor(v, [&](Index u) { sum += noise(u); ++n; });
+  return sum / n;
+}
+
+inline std::vector<Feature_detector::Index> Feature_detector::outstanding_edges()
+{
+  noise_.assign(mesh_.number_of_vertex_slots(), -1);
+  std::vector<Index> found;
+  for_each_inner_edge([&](Index h) {
+    if (!is_active_[h >> 2] || !is_active_[mesh_.opposite(h) >> 2]) return;
+    const double a = angle(h);
+    if (a >= LEAST_ANGLE && a >= OUTSTANDING * 0.5 * (mean_noise(mesh_.origin(h)) + mean_noise(mesh_.target(h))))
+      found.push_back(h);
+  });
+  return found;
+}
+
+// The features of a mesh at the scale of its own edges.
+inline std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh)
+{
+  return Feature_detector(mesh, mean_edge_length(mesh)).features();
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURE_DETECTION_H

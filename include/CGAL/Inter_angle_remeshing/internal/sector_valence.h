@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_SECTOR_VALENCE_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SECTOR_VALENCE_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/arc_cosine.h>
+#include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
+
+#include <algorithm>
+
+// Curves divide the faces around a vertex into sectors, which no flip joins. A sector is regular with as many faces as it
+// has times 60 degrees, but with one at least.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Notes how many faces are regular in each sector. Flips leave that as it is, near enough.
+template <class ConcurrencyTag>
+void measure_sectors(Remeshing_mesh& mesh)
+{
+  using Index = Remeshing_mesh::Index;
+  if (!mesh.has_curves()) return;
+  for_each_block<ConcurrencyTag>(mesh.number_of_face_slots(), SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (Index f = Index(begin); f < Index(end); ++f) {
+      if (!mesh.is_face(f) || mesh.face_record(f).edge_flags == 0) continue;
+      for (Index h = 4 * f; h < 4 * f + 3; ++h) {
+        if (!mesh.has_place(h)) continue;
+        double angle = 0;
+        for (Index k = h;; k = mesh.rotate_ccw(k)) {
+          angle += arc_cosine_in_degrees(corner_cosine(mesh.position(mesh.origin(k)), mesh.position(mesh.target(k)),
+                                                       mesh.position(mesh.apex(k))));
+          if (mesh.is_on_curve_edge(mesh.prev(k))) break;
+        }
+        mesh.set_regular_faces(mesh.curve_end(h), (std::max)(1, int(angle / 60 + 0.5)));
+      }
+    }
+  });
+}
+
+// By how many faces the sector of the origin of h that holds the face of h is off.
+inline int sector_deviation(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  using Index = Remeshing_mesh::Index;
+  const Index v = mesh.origin(h);
+  if (!mesh.is_on_curve(v)) return mesh.deviation(v);
+  int faces = 1;
+  for (Index k = h; !mesh.is_on_curve_edge(mesh.prev(k)); ++faces) {
+    k = mesh.rotate_ccw(k);
+    if (k == h) return mesh.deviation(v);      // a mark without an edge
+  }
+  Index first = h;
+  for (; !mesh.is_on_curve_edge(first); ++faces) first = mesh.rotate_cw(first);
+  return mesh.has_place(first) ? faces - mesh.regular_faces(mesh.curve_end(first)) : mesh.deviation(v);
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_SECTOR_VALENCE_H
