@@ -66,6 +66,10 @@ struct Recipe
   int glide_slack = 2;
   /// how far from the new surface the vertex that a collapse removes may lie, in target lengths
   double collapse_tolerance = 0.15;
+  /// by how much the target length rises with the distance from curves whose edges must be shorter than it is, where details
+  /// are small or strips narrow, as a slope: on CAD models, as the dihedral angles tell them, such edges bring the target near
+  /// them down to their own length, but not below 0.3 of it. That costs faces; 0 turns it off.
+  double grading = 0.2;
   /// whether valences of 4 and less, and angles out of the band, are mended after the last iteration
   bool clean_up = true;
   /// the band, in degrees, into which the clean-up moves the angles, as far as moving vertices along the surface can:
@@ -89,6 +93,7 @@ struct Recipe
     r.sweeps = r.last_sweeps = 1;
     r.flip_rounds = 1;
     r.glide_depth = 0;
+    r.grading = 0;
     r.clean_up = false;
     r.policies = Policies::paper;
     r.surface = Surface::paper;

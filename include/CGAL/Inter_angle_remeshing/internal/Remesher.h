@@ -127,9 +127,19 @@ private:
     const double high = is_never(context_.split_policy) ? inf : context_.squared_length_limit();
     std::vector<Remeshing_mesh::Index> long_edges, short_edges;
     std::size_t splits = 0;
+    if (context_.grading_rate > 0) context_.grading.measure(mesh_, context_.target_length, context_.grading_rate);
     run_pass(Pass::split, report_.splits, [&]() {
-      for (const Remeshing_mesh::Index h : edges_out_of<ConcurrencyTag>(mesh_, low, high))
-        (mesh_.squared_edge_length(h) < low ? short_edges : long_edges).push_back(h);
+      if (context_.grading.is_uniform()) {
+        for (const Remeshing_mesh::Index h : edges_out_of<ConcurrencyTag>(mesh_, low, high))
+          (mesh_.squared_edge_length(h) < low ? short_edges : long_edges).push_back(h);
+      } else {
+        short_edges = edges_where<ConcurrencyTag>(mesh_, [&](Remeshing_mesh::Index h) {
+          return low > 0 && mesh_.squared_edge_length(h) < context_.squared_shortness_limit(mesh_.origin(h), mesh_.target(h));
+        });
+        long_edges = edges_where<ConcurrencyTag>(mesh_, [&](Remeshing_mesh::Index h) {
+          return high < inf && mesh_.squared_edge_length(h) > context_.squared_length_limit(mesh_.origin(h), mesh_.target(h));
+        });
+      }
       return splits = split_pass<ConcurrencyTag>(context_, long_edges, short_edges);
     });
     if (goes_on() && !is_never(context_.collapse_policy))
@@ -170,7 +180,7 @@ private:
   {
     if constexpr (!std::is_same<std::decay_t<decltype(context_.visitor)>, Default_visitor>::value)
       for (const Mesh_vertex v : vertices(mesh_))
-        if (mesh_.is_free(v.index())) function(v);
+        if (mesh_.is_free(v.index()) || mesh_.is_sliding(v.index())) function(v);
   }
 
   void clean_up()

@@ -9,6 +9,7 @@
 #include <CGAL/Inter_angle_remeshing/Edge_profile.h>
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
 #include <CGAL/Inter_angle_remeshing/internal/Input_curves.h>
+#include <CGAL/Inter_angle_remeshing/internal/grading.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh_graph.h>
 
 #include <CGAL/tags.h>
@@ -63,6 +64,18 @@ struct Remeshing_context
   bool may_collapse_constraints;
   double target_length;                // in the units of the flat mesh; 0: nothing is split or collapsed
 
+  double grading_rate;                 // 0: the target length is uniform
+  Grading grading;
+
+  // The longest and the shortest that an edge between u and v, not on a curve, may be; squared.
+  double squared_length_limit(Index u, Index v) const
+  {
+    return grading.is_uniform() ? squared_length_limit() : squared_length_limit() * squared(grading.part(u, v));
+  }
+  double squared_shortness_limit(Index u, Index v) const
+  {
+    return grading.is_uniform() ? squared_shortness_limit() : squared_shortness_limit() * squared(grading.part(u, v));
+  }
   double squared_length_limit() const { return squared(recipe.split_ratio * target_length); }
   double squared_shortness_limit() const { return squared(recipe.collapse_ratio * target_length); }
 

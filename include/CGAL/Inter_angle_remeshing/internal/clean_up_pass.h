@@ -54,7 +54,7 @@ std::size_t clean_up_pass(Context& context)
     int best_gain = 0;
     mesh.for_each_around(v, [&](Index h) {
       const int gain = collapse_gain(mesh, h);
-      if (gain >= best_gain || !is_collapse_fit(mesh, h, limits) || !mesh.is_collapse_legal(h) ||
+      if (gain >= best_gain || !is_collapse_fit(mesh, h, context.grading, limits) || !mesh.is_collapse_legal(h) ||
           !context.permits_collapse(h)) return;
       best = h;
       best_gain = gain;

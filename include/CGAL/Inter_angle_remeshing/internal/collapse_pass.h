@@ -61,14 +61,15 @@ bool keeps_curve(const Context& context, Remeshing_mesh::Index h)
 
 // Whether no new edge at h's target is too long. The neighbors of a free source other than the target and the two
 // apexes, which the target has already, are met from the far side: there most collapses fail.
-inline bool has_short_edges_after_collapse(const Remeshing_mesh& mesh, Remeshing_mesh::Index h,
+inline bool has_short_edges_after_collapse(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Grading& grading,
                                            const Collapse_limits& limits)
 {
   using Index = Remeshing_mesh::Index;
-  const Index a = mesh.source(h);
-  const Vector3& q = mesh.position(mesh.source(mesh.opposite(h)));
+  const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
+  const Vector3& q = mesh.position(b);
   const auto is_short = [&](Index k) {
-    return squared_distance(q, mesh.position(mesh.target(k))) <= limits.squared_length;
+    const double part = grading.is_uniform() ? 1. : grading.part(b, mesh.target(k));
+    return squared_distance(q, mesh.position(mesh.target(k))) <= part * part * limits.squared_length;
   };
   if (!mesh.is_free(a)) return mesh.all_around(a, is_short);
   Index k = mesh.rotate_ccw(mesh.rotate_ccw(h));
@@ -89,12 +90,13 @@ inline Vector3 star_cross_product(const Remeshing_mesh& mesh, Remeshing_mesh::In
 
 // Whether the faces that replace the star of h's source are fit: no edge too long, no face turned, and one of them
 // near the removed point. The last keeps tips and ridges.
-inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Collapse_limits& limits)
+inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Grading& grading,
+                            const Collapse_limits& limits)
 {
   using Index = Remeshing_mesh::Index;
   const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
   const Vector3 p = mesh.position(a), q = mesh.position(b);
-  if (!has_short_edges_after_collapse(mesh, h, limits)) return false;
+  if (!has_short_edges_after_collapse(mesh, h, grading, limits)) return false;
   bool is_near = mesh.is_on_curve(a);     // what a curve may lose, keeps_curve() says
   const bool turns_no_face = mesh.all_around(a, [&](Index k) {
     const Index c = mesh.target(k), d = mesh.apex(k);
@@ -190,7 +192,7 @@ Remeshing_mesh::Index choose_collapse(const Context& context, Remeshing_mesh::In
   for (const Index k : {first, second}) {
     const bool is_along_curve = mesh.is_on_curve(mesh.source(k));
     if (is_along_curve && !(context.may_collapse_constraints && keeps_curve(context, k))) continue;
-    if (is_collapse_fit(mesh, k, limits) && mesh.is_collapse_legal(k) &&
+    if (is_collapse_fit(mesh, k, context.grading, limits) && mesh.is_collapse_legal(k) &&
         (!mesh.has_curves() || keeps_faces_at_curves(mesh, k)) && !makes_fold(context, k) &&
         context.permits_collapse(k)) return k;
   }
@@ -204,17 +206,18 @@ std::size_t collapse_pass(Context& context, std::vector<Remeshing_mesh::Index>& 
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
-  const double shortness = context.squared_shortness_limit();
   const double length = context.target_length;
   const auto squared = [](double x) { return x * x; };
   const Collapse_limits limits{context.squared_length_limit(), squared(context.recipe.collapse_tolerance * length),
                                MAXIMUM_MERGED_VALENCE};
+  const auto is_too_short = [&](Index h) {
+    return mesh.has_place(h) ? is_too_short_on_curve(context, h)
+                             : mesh.squared_edge_length(h) < context.squared_shortness_limit(mesh.origin(h), mesh.target(h));
+  };
   std::size_t collapses = 0;
   evaluate_then_apply<ConcurrencyTag>(mesh, short_edges,
     [&](Index h) -> Index {
-      if (mesh.origin(h) < 0 || mesh.squared_edge_length(h) >= shortness) return NO_COLLAPSE;
-      if (mesh.has_place(h) && !is_too_short_on_curve(context, h)) return NO_COLLAPSE;
-      return choose_collapse(context, h, limits);
+      return mesh.origin(h) >= 0 && is_too_short(h) ? choose_collapse(context, h, limits) : NO_COLLAPSE;
     },
     [&](Index, Index k) {
       if (k == NO_COLLAPSE) return;
@@ -224,7 +227,7 @@ std::size_t collapse_pass(Context& context, std::vector<Remeshing_mesh::Index>& 
       context.visitor.after_collapse(Mesh_vertex(kept), mesh);
       ++collapses;
       mesh.for_each_around(kept, [&](Index e) {
-        if (mesh.squared_edge_length(e) < shortness) short_edges.push_back(e);
+        if (is_too_short(e)) short_edges.push_back(e);
       });
     });
   return collapses;

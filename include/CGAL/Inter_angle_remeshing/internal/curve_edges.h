@@ -24,8 +24,9 @@ constexpr double CURVE_TOLERANCE = 0.05;
 // unless the edge is shorter than this many target lengths: then the curve is too jagged to follow.
 constexpr double SHORTEST_BENT_EDGE = 0.6;
 // Where a face has all its vertices on curves, in a strip or a thin wall, its edge on one of these should be no longer
-// than this many times its height, nor need it be shorter than this part of the target length.
-constexpr double STRIP_ASPECT = 2, SHORTEST_IN_STRIP = 0.3;
+// than this many times its height, nor need it be shorter than this part of the target length. Strips that are thinner than
+// this part of it are beyond help.
+constexpr double STRIP_ASPECT = 2, SHORTEST_IN_STRIP = 0.3, THINNEST_STRIP = 0.05;
 
 // The target length of a curve edge.
 template <class Context>
@@ -40,6 +41,7 @@ double target_on_curve(const Context& context, Remeshing_mesh::Index h)
     const double l = length(b - a);
     if (!(l > 0)) continue;
     const double height = length(triangle_cross(a, b, mesh.position(mesh.apex(side)))) / l;
+    if (height < THINNEST_STRIP * context.target_length) continue;
     target = (std::min)(target, (std::max)(STRIP_ASPECT * height, SHORTEST_IN_STRIP * context.target_length));
   }
   return target;

@@ -16,7 +16,21 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// Appends one half-edge of each edge whose squared length lies outside of [low, high]. Lengths are taken face by face;
+// One half-edge of each edge of which `is_wanted` holds.
+template <class ConcurrencyTag, class Predicate>
+std::vector<Remeshing_mesh::Index> edges_where(const Remeshing_mesh& mesh, const Predicate& is_wanted)
+{
+  using Index = Remeshing_mesh::Index;
+  std::vector<Index> found;
+  scan_into<ConcurrencyTag>(found, mesh.number_of_face_slots(), [&](std::size_t f, std::vector<Index>& out) {
+    if (!mesh.is_face(Index(f))) return;
+    for (Index h = Index(4 * f); h < Index(4 * f) + 3; ++h)
+      if ((mesh.is_border(h) || mesh.opposite(h) > h) && is_wanted(h)) out.push_back(h);
+  });
+  return found;
+}
+
+// One half-edge of each edge whose squared length lies outside of [low, high]. Lengths are taken face by face;
 // the adjacency is looked at for the few hits only.
 template <class ConcurrencyTag>
 std::vector<Remeshing_mesh::Index> edges_out_of(const Remeshing_mesh& mesh, double low, double high)

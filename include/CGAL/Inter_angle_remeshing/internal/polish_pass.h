@@ -65,7 +65,7 @@ class Polisher
   static constexpr double STEP_FACTOR = 1.5;
   static constexpr int TRIALS = 4;
   static constexpr double BACKTRACK = 0.4;
-  // A move leaves at most this part of the energy: less is not worth the neighbors' looking again.
+  // A slide leaves at most this part of the energy: less is not worth that the neighbors look again.
   static constexpr double ENOUGH = 0.99;
   // The band of the faces that touch a curve, where the narrow one is out of reach as often as not, and to strive for it
   // costs the other angles there half a degree on the average.
@@ -201,7 +201,7 @@ private:
     for (int trial = 0; trial < TRIALS; ++trial, step *= BACKTRACK) {
       Index hint = mesh_.hint(v);
       const Vector3 q = context_.projector(mesh_.position(v) - (step / slope) * g, hint);
-      if (!context_.projector.is_compatible(hint, normal) || !(energy(v, q) < ENOUGH * before) ||
+      if (!context_.projector.is_compatible(hint, normal) || !(energy(v, q) < before) ||
           !keeps_orientation(mesh_, v, q) ||
           makes_thin_angle(smallest_angle(v, mesh_.position(v)), smallest_angle(v, q))) continue;
       mesh_.position(v) = q;

@@ -78,6 +78,8 @@ inline void check_recipe(const Recipe& recipe)
   if (!(recipe.lower_angle >= 0 && recipe.lower_angle < 60 && recipe.upper_angle > 60 && recipe.upper_angle <= 180))
     refuse(REMESHING, "the band of angles [" + std::to_string(recipe.lower_angle) + ", " +
                       std::to_string(recipe.upper_angle) + "] of the recipe must lie in [0, 180] and hold 60 inside");
+  if (!(recipe.grading >= 0))
+    refuse(REMESHING, "Recipe::grading is negative or not a number");
   if (!(recipe.collapse_tolerance >= 0))
     refuse(REMESHING, "Recipe::collapse_tolerance is negative or not a number");
 }
@@ -380,7 +382,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
       Context context{mesh, parameters.recipe, curves, exchange.input_vertices(),
                       boost::graph_traits<TriangleMesh>::null_vertex(), parameters.split_policy,
                       parameters.collapse_policy, parameters.flip_policy, projector, parameters.visitor,
-                      parameters.may_collapse_constraints, target};
+                      parameters.may_collapse_constraints, target, kind.is_cad ? parameters.recipe.grading : 0., Grading()};
       return Remesher<ConcurrencyTag, Context>(context, parameters.schedule).run();
     });
 

@@ -103,13 +103,12 @@ std::size_t split_pass(Context& context, std::vector<Remeshing_mesh::Index>& lon
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
-  const double limit = context.squared_length_limit(), shortness = context.squared_shortness_limit();
   const auto midpoint = [&](Index h) {
     return mesh.has_place(h) ? middle_on_curve(context, h)
                              : 0.5 * (mesh.position(mesh.origin(h)) + mesh.position(mesh.target(h)));
   };
   const auto is_too_long = [&](Index h) {
-    return mesh.has_place(h) ? is_too_long_on_curve(context, h) : mesh.squared_edge_length(h) > limit;
+    return mesh.has_place(h) ? is_too_long_on_curve(context, h) : mesh.squared_edge_length(h) > context.squared_length_limit(mesh.origin(h), mesh.target(h));
   };
   const std::vector<Index> curve_edges = long_curve_edges<ConcurrencyTag>(context);
   long_edges.insert(long_edges.end(), curve_edges.begin(), curve_edges.end());
@@ -125,12 +124,14 @@ std::size_t split_pass(Context& context, std::vector<Remeshing_mesh::Index>& lon
       if (!is_to_split) return;
       Split_vertex made = split_hints(context, h);
       context.visitor.before_split(Mesh_halfedge(h), mesh);
+      const Index a = mesh.origin(h), b = mesh.target(h);
       made.vertex = mesh.split(h, midpoint(h));
+      context.grading.inherit(made.vertex, a, b);
       mesh.hint(made.vertex) = made.hint;
       context.visitor.after_split(Mesh_vertex(made.vertex), mesh);
       split.push_back(made);
       mesh.for_each_around(made.vertex, [&](Index k) {
-        if (mesh.squared_edge_length(k) < shortness) short_edges.push_back(k);
+        if (mesh.squared_edge_length(k) < context.squared_shortness_limit(made.vertex, mesh.target(k))) short_edges.push_back(k);
       });
     });
   project_split_vertices<typename Context::template Projection_tag<ConcurrencyTag>>(context, split);
