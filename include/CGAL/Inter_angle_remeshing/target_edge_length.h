@@ -30,17 +30,6 @@ inline double area(const Remeshing_mesh& mesh)
   return doubled / 2;
 }
 
-// The length of all edges, those of the border by half.
-inline double total_edge_length(const Remeshing_mesh& mesh)
-{
-  double sum = 0;
-  for (std::size_t f = 0; f < mesh.number_of_face_slots(); ++f) {
-    if (!mesh.is_face(Corner_table::Index(f))) continue;
-    for (int k = 0; k < 3; ++k) sum += std::sqrt(mesh.squared_edge_length(Corner_table::Index(4 * f + k)));
-  }
-  return sum / 2;
-}
-
 // n equilateral triangles of edge l cover √3/4 n l²; the remesher was measured to yield as many as if its edges were 5%
 // shorter than their target.
 inline double length_for_face_count(double area, std::size_t n)

@@ -52,16 +52,21 @@ std::vector<Remeshing_mesh::Index> edges_out_of(const Remeshing_mesh& mesh, doub
   return found;
 }
 
-inline double mean_edge_length(const Remeshing_mesh& mesh)
+// The length of all edges, those of the border by half.
+inline double total_edge_length(const Remeshing_mesh& mesh)
 {
   double sum = 0;
-  std::size_t edges = 0;
-  for (Remeshing_mesh::Index h = 0; h < 4 * Remeshing_mesh::Index(mesh.number_of_face_slots()); ++h) {
-    if (mesh.corner(h) == 3 || !mesh.is_face(h >> 2) || !(mesh.is_border(h) || mesh.opposite(h) > h)) continue;
-    sum += std::sqrt(mesh.squared_edge_length(h));
-    ++edges;
+  for (std::size_t f = 0; f < mesh.number_of_face_slots(); ++f) {
+    if (!mesh.is_face(Corner_table::Index(f))) continue;
+    for (int k = 0; k < 3; ++k) sum += std::sqrt(mesh.squared_edge_length(Corner_table::Index(4 * f + k)));
   }
-  return edges > 0 ? sum / double(edges) : 0.;
+  return sum / 2;
+}
+
+// The mean, an edge of the border by half.
+inline double mean_edge_length(const Remeshing_mesh& mesh)
+{
+  return total_edge_length(mesh) / (1.5 * double(mesh.number_of_live_faces()));
 }
 
 // Of the edges that may be split: a protected one stays as long as it is.

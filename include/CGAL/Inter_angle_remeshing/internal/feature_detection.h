@@ -34,14 +34,14 @@ public:
   Feature_detector(const Remeshing_mesh& mesh, double length) : mesh_(mesh), length_(length)
   {
     find_normals();
-    is_cad_ = looks_like_cad();
+    look_at_edges();
   }
 
   bool is_cad() const { return is_cad_; }
   // One half-edge of each feature.
   std::vector<Index> features()
   {
-    if (is_cad_) return edges_over(CAD_ANGLE);
+    if (is_cad_) return sharp_edges(CAD_ANGLE);
     find_active_faces();
     if (active_.empty()) return {};
     for (int pass = 0; pass < BILATERAL_PASSES; ++pass) filter_normals();
@@ -54,7 +54,7 @@ public:
 private:
   // Dihedral angles in degrees.
   static constexpr double CAD_ANGLE = 40, MILD_ANGLE = 12, FLAT_ANGLE = 8;
-  static constexpr double CANDIDATE_ANGLE = 30, LEAST_ANGLE = 30;
+  static constexpr double LEAST_ANGLE = 30;
   // A candidate is this many times as sharp as three of the four other edges of its faces, before the filter.
   static constexpr double CANDIDATE_RATIO = 2.5;
   // An edge stands out when it is this many times as sharp as the median of the edges around it.
@@ -98,28 +98,32 @@ private:
         if (mesh_.opposite(h) > h) function(h);
   }
 
-  std::vector<Index> edges_over(double degrees) const
+  // Those of the sharp edges that have at least this angle.
+  std::vector<Index> sharp_edges(double degrees) const
   {
     const double bound = cosine_of(degrees);
     std::vector<Index> found;
-    for_each_inner_edge([&](Index h) { if (cosine(h) <= bound) found.push_back(h); });
+    for (const Index h : sharp_edges_)
+      if (cosine(h) <= bound) found.push_back(h);
     return found;
   }
 
   // CAD models have sharp edges and flat ones, and few in between.
-  bool looks_like_cad() const
+  void look_at_edges()
   {
-    const double sharp = cosine_of(CAD_ANGLE), mild = cosine_of(MILD_ANGLE), flat = cosine_of(FLAT_ANGLE);
+    const double sharp = cosine_of(CAD_ANGLE), mild = cosine_of(MILD_ANGLE), flat = cosine_of(FLAT_ANGLE),
+                 least = cosine_of(LEAST_ANGLE);
     double of_sharp = 0, of_mild = 0;
     std::size_t flat_edges = 0, edges = 0;
     for_each_inner_edge([&](Index h) {
       const double c = cosine(h);
       ++edges;
       flat_edges += c > flat;
+      if (c <= least) sharp_edges_.push_back(h);
       if (c <= sharp) of_sharp += std::sqrt(mesh_.squared_edge_length(h));
       else if (c <= mild) of_mild += std::sqrt(mesh_.squared_edge_length(h));
     });
-    return of_mild < 0.5 * of_sharp || (of_mild < 1.1 * of_sharp && 2 * flat_edges > edges);
+    is_cad_ = of_mild < 0.5 * of_sharp || (of_mild < 1.1 * of_sharp && 2 * flat_edges > edges);
   }
 
   // The faces that the filter must look at: some rings around connected edges that are sharp over some length.
@@ -136,6 +140,7 @@ private:
   bool is_cad_;
   std::vector<Vector3> normal_;        // unit, by face; zero where the face has none
   std::vector<float> area_;            // by face, twice
+  std::vector<Index> sharp_edges_;     // of LEAST_ANGLE and more, before the filter
   std::vector<Index> active_;
   std::vector<char> is_active_;
   std::vector<float> noise_;           // by vertex, degrees; negative: not known yet
@@ -152,7 +157,7 @@ inline bool Feature_detector::is_candidate(Index h) const
 inline void Feature_detector::find_active_faces()
 {
   Feature_graph candidates(mesh_, length_);
-  for (const Index h : edges_over(CANDIDATE_ANGLE))
+  for (const Index h : sharp_edges_)
     if (is_candidate(h)) candidates.add(h, 0);
   candidates.drop_short_components(LEAST_CANDIDATE_LENGTH);
 
@@ -243,12 +248,13 @@ inline std::vector<Feature_detector::Index> Feature_detector::outstanding_edges(
 {
   noise_.assign(mesh_.number_of_vertex_slots(), -1);
   std::vector<Index> found;
-  for_each_inner_edge([&](Index h) {
-    if (!is_active_[h >> 2] || !is_active_[mesh_.opposite(h) >> 2]) return;
-    const double a = angle(h);
-    if (a >= LEAST_ANGLE && a >= OUTSTANDING * 0.5 * (mean_noise(mesh_.origin(h)) + mean_noise(mesh_.target(h))))
-      found.push_back(h);
-  });
+  const double least = cosine_of(LEAST_ANGLE);
+  for (const Index f : active_)
+    for (Index h = 4 * f; h < 4 * f + 3; ++h)
+      if (mesh_.opposite(h) > h && is_active_[mesh_.opposite(h) >> 2] && cosine(h) <= least &&
+          angle(h) >= OUTSTANDING * 0.5 * (mean_noise(mesh_.origin(h)) + mean_noise(mesh_.target(h))))
+        found.push_back(h);
+  std::sort(found.begin(), found.end());
   return found;
 }
 

@@ -99,7 +99,7 @@ inline void check_length(double length, double area, double total_edge_length)
 
 // The target length in the units of the flat mesh.
 template <class Length>
-double target_length(const Length& length, const Remeshing_mesh& mesh)
+double target_length(const Length& length, const Remeshing_mesh& mesh, double total_edge_length)
 {
   const double range_area = area(mesh);
   double result;
@@ -110,7 +110,7 @@ double target_length(const Length& length, const Remeshing_mesh& mesh)
     const double wanted = CGAL::to_double(length);
     if (std::isfinite(wanted)) result = wanted / mesh.unit(); else result = wanted;
   }
-  check_length(result, range_area, total_edge_length(mesh));
+  check_length(result, range_area, total_edge_length);
   return result;
 }
 
@@ -337,12 +337,12 @@ auto read_patches(const PatchMap& fpm, const Faces& faces)
 // Features are found by themselves where nothing is marked, and where the surface stays the input's: a functor of the
 // user's may lead to any other, a sphere for an icosahedron.
 template <class Parameters>
-Input_kind find_and_mark_features(Remeshing_mesh& mesh, double target, const Parameters& parameters)
+Input_kind find_and_mark_features(Remeshing_mesh& mesh, double length, const Parameters& parameters)
 {
   using Functor = std::decay_t<decltype(referred(parameters.projection_functor))>;
   constexpr bool keeps_surface = std::is_same<Functor, No_map>::value || Has_reference_surface<Functor>::value;
   if (!keeps_surface || parameters.recipe.surface == Recipe::Surface::paper) return {false, false};
-  Feature_detector detector(mesh, (std::max)(target, mean_edge_length(mesh)));
+  Feature_detector detector(mesh, length);
   const bool finds = parameters.constraint_settings.finds_features;
   if (finds)
     for (const Remeshing_mesh::Index h : detector.features()) mark_feature(mesh, h);
@@ -361,13 +361,15 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
     return {};
   }
   Mesh_exchange<TriangleMesh, Vpm> exchange(range, tmesh, parameters.vertex_point_map, REMESHING);
-  double target = target_length(length, exchange.mesh());
+  const double total_length = total_edge_length(exchange.mesh());
+  double target = target_length(length, exchange.mesh(), total_length);
   if (parameters.schedule.iterations == 0) return {};
   if constexpr (std::is_same<Length, Face_count>::value) parameters.schedule.wanted_faces = length.value;
 
   mark_constraints(exchange, tmesh, parameters.edge_is_constrained_map, parameters.vertex_is_constrained_map,
                    parameters.face_patch_map, parameters.constraint_settings);
-  const Input_kind kind = find_and_mark_features(exchange.mesh(), target, parameters);
+  const double mean_length = total_length / (1.5 * double(exchange.input_faces().size()));
+  const Input_kind kind = find_and_mark_features(exchange.mesh(), (std::max)(target, mean_length), parameters);
   lock_corners(exchange.mesh());
   const auto patches = read_patches(parameters.face_patch_map, exchange.input_faces());
   Remeshing_mesh mesh = exchange.take_mesh();

@@ -41,12 +41,10 @@ void measure_sectors(Remeshing_mesh& mesh)
   });
 }
 
-// By how many faces the sector of the origin of h that holds the face of h is off.
-inline int sector_deviation(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+inline int deviation_on_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
   using Index = Remeshing_mesh::Index;
   const Index v = mesh.origin(h);
-  if (!mesh.is_on_curve(v)) return mesh.deviation(v);
   int faces = 1;
   for (Index k = h; !mesh.is_on_curve_edge(mesh.prev(k)); ++faces) {
     k = mesh.rotate_ccw(k);
@@ -55,6 +53,12 @@ inline int sector_deviation(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
   Index first = h;
   for (; !mesh.is_on_curve_edge(first); ++faces) first = mesh.rotate_cw(first);
   return mesh.has_place(first) ? faces - mesh.regular_faces(mesh.curve_end(first)) : mesh.deviation(v);
+}
+
+// By how many faces the sector of the origin of h that holds the face of h is off.
+inline int sector_deviation(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  return mesh.is_on_curve(mesh.origin(h)) ? deviation_on_curve(mesh, h) : mesh.deviation(mesh.origin(h));
 }
 
 } // namespace internal
