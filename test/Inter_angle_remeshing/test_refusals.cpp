@@ -181,7 +181,6 @@ void parameters_out_of_their_range_are_refused()
   {
     check_refused(text, [&](Mesh& g) { IAR::isotropic_remeshing(.3, g, np); });
   };
-  check("relax_constraints", parameters::relax_constraints(true));
   for(const double angle : {-1., -1e-9, 180.001, 1000., NOT_A_NUMBER, INFINITE})
     check("sharpness_angle", parameters::sharpness_angle(angle));
   check("number_of_iterations", parameters::number_of_iterations(-1));
