@@ -25,6 +25,15 @@ struct Remeshing_report
     nothing_to_do     ///< the range is empty, or no iteration was asked for; the mesh is unchanged
   };
 
+  /// which edges were kept as features, beside the border
+  enum class Features
+  {
+    none,             ///< none: found none, or none asked for
+    marked,           ///< those marked by `edge_is_constrained_map`, `face_patch_map` or `sharpness_angle`
+    all_sharp_edges,  ///< found by themselves: the model is a CAD model, every edge of 40 degrees and more
+    outstanding_edges ///< found by themselves: long chains of edges that stand out of their surroundings
+  };
+
   /// the angles of a set of triangles, in degrees
   struct Angles
   {
@@ -42,6 +51,10 @@ struct Remeshing_report
   unsigned iterations = 0;
   /// the target edge length, in the user's units; with `Face_count`, the one that the run ended with
   double target_edge_length = 0;
+  /// which edges were kept as features
+  Features features = Features::none;
+  /// the number of these edges in the range before
+  std::size_t feature_edges = 0;
   /// the number of faces in the range before
   std::size_t input_faces = 0;
   /// the number of faces in the range afterwards

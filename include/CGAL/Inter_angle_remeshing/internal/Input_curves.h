@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/curves.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -16,8 +17,8 @@ namespace Inter_angle_remeshing {
 namespace internal {
 
 // The input's curves: polylines of border and feature edges from one locked vertex to the next, or closed, parametrised by
-// arc length. What becomes of their edges slides, splits and collapses in that one dimension, and so stays on them.
-// Const after construction.
+// arc length. What becomes of their edges slides, splits and collapses in that one dimension, and so stays on them. Where
+// the surface is a smooth one, its curves are these, bent.
 class Input_curves
 {
 public:
@@ -27,7 +28,11 @@ public:
   // Follows the curves of a mesh whose corners are locked, and gives its curve edges their places.
   explicit Input_curves(Remeshing_mesh& mesh);
 
-  bool empty() const { return curves_.empty(); }
+  // Bends the segments: `offsets(h)` tells for the half-edge h of a segment the offsets at its ends, as
+  // Mls_surface::curve_offsets() does.
+  template <class Offsets>
+  void bend(const Offsets& offsets);
+
   // The point at arc length t; on a closed curve t may be any number.
   Vector3 point(Index curve, double t) const;
   // A bound of the distance from the part of the curve between s and t to the segment from p to q, which lie there.
@@ -40,12 +45,16 @@ private:
     bool is_closed;                  // its last point is its first one again
   };
 
+  struct Bend { Vector3 at_begin, at_end; };
+
   void follow(Remeshing_mesh& mesh, Index v, Index h, std::vector<char>& is_passed);
   double length(const Curve& c) const { return arc_length_[c.end - 1]; }
 
   std::vector<Curve> curves_;
   std::vector<Vector3> points_;
   std::vector<double> arc_length_;   // by point, from the begin of its curve
+  std::vector<Index> halfedge_;      // by point: of the segment that ends there, a border side perhaps
+  std::vector<Bend> bends_;          // by point: of that segment; empty: segments are straight
 };
 
 // The half-edge, or border side, with which the curve goes on from the target of h; h itself where it ends there.
@@ -78,12 +87,14 @@ inline void Input_curves::follow(Remeshing_mesh& mesh, Index v, Index h, std::ve
   const std::size_t begin = points_.size();
   points_.push_back(mesh.position(v));
   arc_length_.push_back(0);
+  halfedge_.push_back(h);
   bool is_closed = false;
   for (Index k = h;;) {
     const Index u = mesh.source(mesh.opposite(k));
     const double s = arc_length_.back(), t = s + internal::length(mesh.position(u) - points_.back());
     points_.push_back(mesh.position(u));
     arc_length_.push_back(t);
+    halfedge_.push_back(k);
     for (const Index side : {k, mesh.opposite(k)})
       if (side >= 0) is_passed[side] = 1;
     if (k >= 0) mesh.set_curve_place(k, {curve, s, t});
@@ -104,7 +115,20 @@ inline Vector3 Input_curves::point(Index curve, double t) const
   const std::size_t i = c.begin + std::size_t(std::upper_bound(first + 1, last - 1, t) - first);
   const double l = arc_length_[i] - arc_length_[i - 1];
   const double u = l > 0 ? (std::min)(1., (std::max)(0., (t - arc_length_[i - 1]) / l)) : 0.;
-  return (1 - u) * points_[i - 1] + u * points_[i];
+  const Vector3 straight = (1 - u) * points_[i - 1] + u * points_[i];
+  if (bends_.empty()) return straight;
+  return straight + (u * (1 - u)) * ((1 - u) * bends_[i].at_begin + u * bends_[i].at_end);
+}
+
+template <class Offsets>
+void Input_curves::bend(const Offsets& offsets)
+{
+  bends_.resize(points_.size());
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Index h = halfedge_[i];
+    const std::array<Vector3, 2> d = offsets(h < 0 ? ~h : h);
+    bends_[i] = h < 0 ? Bend{d[1], d[0]} : Bend{d[0], d[1]};
+  }
 }
 
 inline double Input_curves::deviation(Index curve, double s, double t, Vector3 p, Vector3 q) const

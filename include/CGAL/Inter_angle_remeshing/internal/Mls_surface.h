@@ -74,6 +74,12 @@ public:
   // Onto the surface over the face f from the point `closest` on it, which is the closest one to q.
   Vector3 project(const Vector3& q, Index f, const Point_on_triangle& closest) const;
 
+  // On the feature edge of h the surface is the curve (1-u) P + u Q + u (1-u) ((1-u) d + u e), with these d and e.
+  std::array<Vector3, 2> curve_offsets(Index h) const
+  {
+    const int from = h & 3, to = (from + 1) % 3;
+    return {feature_offset(h >> 2, from, to), feature_offset(h >> 2, to, from)};
+  }
   bool is_feature(Index h) const { return (faces_[h >> 2].features >> (h & 3) & 1) != 0; }
   double mean_edge_length(Index f) const { return lengths_[f]; }
 

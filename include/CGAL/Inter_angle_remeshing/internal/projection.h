@@ -72,6 +72,8 @@ struct Surface_projection
   // From 0 to 1 without a kink.
   double share_of_mls(double length) const
   {
+    if (length < facet_length) return 0;
+    if (length >= smooth_length) return 1;
     const double t = (length - facet_length) / (smooth_length - facet_length);
     return t * t * (3 - 2 * t);
   }

@@ -23,6 +23,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -204,6 +205,8 @@ struct Input_kind
 {
   bool is_cad;                   // the dihedral angles tell a CAD model
   bool has_found_features;       // its sharp edges were found by themselves, and are constrained
+  Remeshing_report::Features features;
+  std::size_t feature_edges;
 };
 
 struct Default_surface
@@ -231,6 +234,21 @@ struct Default_surface
   Surface_projection projection() const
   {
     return {facets, 1, smooth ? &*smooth : nullptr, FACET_RATIO * target_length, SMOOTH_RATIO * target_length, nullptr, &face_of_source};
+  }
+
+  // Bends the curves of the mesh into those of the surface.
+  void bend(Input_curves& curves) const
+  {
+    if (!smooth) return;
+    const Surface_projection blend = projection();
+    curves.bend([&](Remeshing_mesh::Index h) {
+      const Remeshing_mesh::Index o = facets.opposite(h);
+      double share = blend.share_of_mls(smooth->mean_edge_length(h >> 2));
+      if (o >= 0) share = (share + blend.share_of_mls(smooth->mean_edge_length(o >> 2))) / 2;
+      std::array<Vector3, 2> offsets = smooth->curve_offsets(h);
+      for (Vector3& d : offsets) d = share * d;
+      return offsets;
+    });
   }
 
   // The area of the surface over that of the facets.
@@ -278,7 +296,7 @@ inline std::function<Vector3(const Vector3&)> paper_surface(const Reference_surf
 // the result lies on: the target length follows its area.
 template <class ConcurrencyTag, class Parameters, class Exchange, class Run>
 Remeshing_report run_with_projector(const Parameters& parameters, const Exchange& exchange, Remeshing_mesh& mesh,
-                                    const Input_kind& kind, double& target, const Run& run)
+                                    const Input_kind& kind, Input_curves& curves, double& target, const Run& run)
 {
   using Vertex = std::decay_t<decltype(exchange.input_vertices()[0])>;
   using Point_3 = typename boost::property_traits<decltype(parameters.vertex_point_map)>::value_type;
@@ -298,6 +316,7 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
     }
     const Default_surface surface(mesh, target, kind);
     start_where_vertices_are(mesh);
+    surface.bend(curves);
     if (parameters.schedule.wanted_faces > 0) target *= std::sqrt(surface.area_ratio());
     return run(surface.projection());
   } else if constexpr (Has_reference_surface<Functor>::value) {
@@ -334,6 +353,14 @@ auto read_patches(const PatchMap& fpm, const Faces& faces)
   }
 }
 
+inline std::size_t count_features(const Remeshing_mesh& mesh)
+{
+  std::size_t n = 0;
+  for (Remeshing_mesh::Index h = 0; h < 4 * Remeshing_mesh::Index(mesh.number_of_face_slots()); ++h)
+    n += mesh.corner(h) < 3 && mesh.is_constrained(h) && (mesh.is_border(h) || mesh.opposite(h) > h);
+  return n;
+}
+
 // Features are found by themselves where nothing is marked, and where the surface stays the input's: a functor of the
 // user's may lead to any other, a sphere for an icosahedron.
 template <class Parameters>
@@ -341,12 +368,19 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, double length, const Par
 {
   using Functor = std::decay_t<decltype(referred(parameters.projection_functor))>;
   constexpr bool keeps_surface = std::is_same<Functor, No_map>::value || Has_reference_surface<Functor>::value;
-  if (!keeps_surface || parameters.recipe.surface == Recipe::Surface::paper) return {false, false};
+  using Features = Remeshing_report::Features;
+  Input_kind kind{false, false, Features::none, count_features(mesh)};
+  if (kind.feature_edges > 0) kind.features = Features::marked;
+  if (!keeps_surface || parameters.recipe.surface == Recipe::Surface::paper) return kind;
   Feature_detector detector(mesh, length);
-  const bool finds = parameters.constraint_settings.finds_features;
-  if (finds)
-    for (const Remeshing_mesh::Index h : detector.features()) mark_feature(mesh, h);
-  return {detector.is_cad(), finds};
+  kind.is_cad = detector.is_cad();
+  kind.has_found_features = parameters.constraint_settings.finds_features;
+  if (!kind.has_found_features) return kind;
+  const std::vector<Remeshing_mesh::Index> found = detector.features();
+  for (const Remeshing_mesh::Index h : found) mark_feature(mesh, h);
+  if (!found.empty()) kind.features = kind.is_cad ? Features::all_sharp_edges : Features::outstanding_edges;
+  kind.feature_edges = count_features(mesh);
+  return kind;
 }
 
 template <class ConcurrencyTag, class FaceRange, class Length, class TriangleMesh, class Parameters>
@@ -374,9 +408,9 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   const auto patches = read_patches(parameters.face_patch_map, exchange.input_faces());
   Remeshing_mesh mesh = exchange.take_mesh();
   mesh.renumber<ConcurrencyTag>(morton_order(mesh));
-  const Input_curves curves(mesh);
+  Input_curves curves(mesh);
 
-  const Remeshing_report report = run_with_projector<ConcurrencyTag>(parameters, exchange, mesh, kind, target,
+  Remeshing_report report = run_with_projector<ConcurrencyTag>(parameters, exchange, mesh, kind, curves, target,
     [&](const auto& projector) {
       using Context = Remeshing_context<Vertex, decltype(parameters.split_policy), decltype(parameters.collapse_policy),
                                         decltype(parameters.flip_policy), std::decay_t<decltype(projector)>,
@@ -388,6 +422,8 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
       return Remesher<ConcurrencyTag, Context>(context, parameters.schedule).run();
     });
 
+  report.features = kind.features;
+  report.feature_edges = kind.feature_edges;
   exchange.write(mesh);
   write_constraints(exchange, mesh, tmesh, parameters.edge_is_constrained_map, parameters.face_patch_map, patches);
   return report;
