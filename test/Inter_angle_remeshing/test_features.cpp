@@ -1,0 +1,499 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Curves: features that are marked or found, and borders. What is found; what stays, and where; what slides.
+
+#include <CGAL/Inter_angle_remeshing/Projection/Closest_point_projector.h>
+#include <CGAL/Inter_angle_remeshing/detect_features.h>
+#include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
+#include <CGAL/Inter_angle_remeshing/surface_distance.h>
+#include <CGAL/Inter_angle_remeshing/triangle_quality.h>
+
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/centroid.h>
+
+#include "check.h"
+#include "invariants.h"
+#include "meshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace IAR = CGAL::Inter_angle_remeshing;
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace parameters = CGAL::parameters;
+using namespace invariants;
+using meshes::Soup;
+using Features = IAR::Remeshing_report::Features;
+using Edge_map = Mesh::Property_map<Edge, bool>;
+using Segment_3 = Kernel::Segment_3;
+
+Mesh read(const std::string& name)
+{
+  Mesh m;
+  CHECK_MESSAGE(PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), m), name);
+  return m;
+}
+
+double edge_length(Edge e, const Mesh& m) { return PMP::edge_length(m.halfedge(e), m); }
+
+Segment_3 segment(Edge e, const Mesh& m) { return Segment_3(m.point(m.vertex(e, 0)), m.point(m.vertex(e, 1))); }
+
+// In degrees; 180 on the border.
+double dihedral_angle(Edge e, const Mesh& m)
+{
+  if(m.is_border(e))
+    return 180;
+  const auto normal = [&](Mesh::Halfedge_index h) {
+    return CGAL::normal(m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h))));
+  };
+  const Vector a = normal(m.halfedge(e)), b = normal(m.opposite(m.halfedge(e)));
+  return std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b) * 180 / CGAL_PI;
+}
+
+// The distance from the nearest of some segments.
+class Segments
+{
+public:
+  Segments(std::vector<Segment_3> segments, double reach) : segments_(std::move(segments)), reach_(reach)
+  {
+    for(std::size_t i = 0; i < segments_.size(); ++i)
+    {
+      const int n = 1 + int(2 * std::sqrt(segments_[i].squared_length()) / reach_);
+      for(int k = 0; k <= n; ++k)
+        cells_[cell(segments_[i].source() + double(k) / n * segments_[i].to_vector())].insert(i);
+    }
+  }
+  // At most `reach`.
+  double distance(const Point& p) const
+  {
+    const auto c = cell(p);
+    double best = reach_ * reach_;
+    for(int i = -1; i <= 1; ++i)
+      for(int j = -1; j <= 1; ++j)
+        for(int k = -1; k <= 1; ++k)
+        {
+          const auto found = cells_.find({c[0] + i, c[1] + j, c[2] + k});
+          if(found != cells_.end())
+            for(const std::size_t s : found->second)
+              best = std::min(best, CGAL::squared_distance(p, segments_[s]));
+        }
+    return std::sqrt(best);
+  }
+
+private:
+  std::array<long, 3> cell(const Point& p) const
+  {
+    return {long(std::floor(p.x() / reach_)), long(std::floor(p.y() / reach_)), long(std::floor(p.z() / reach_))};
+  }
+  std::vector<Segment_3> segments_;
+  double reach_;
+  std::map<std::array<long, 3>, std::set<std::size_t>> cells_;
+};
+
+template <class Predicate>
+std::vector<Segment_3> edges_where(const Mesh& m, const Predicate& is_wanted)
+{
+  std::vector<Segment_3> result;
+  for(const Edge e : m.edges())
+    if(is_wanted(e))
+      result.push_back(segment(e, m));
+  return result;
+}
+
+// The part of the length of `from` that lies within `tolerance` of `to`.
+double share_kept(const std::vector<Segment_3>& from, const std::vector<Segment_3>& to, double tolerance)
+{
+  const Segments near(to, 2 * tolerance);
+  double all = 0, kept = 0;
+  for(const Segment_3& s : from)
+    for(double t = .05; t < 1; t += .1)
+    {
+      const double l = std::sqrt(s.squared_length());
+      all += l;
+      kept += near.distance(s.source() + t * s.to_vector()) <= tolerance ? l : 0;
+    }
+  return all > 0 ? kept / all : 1;
+}
+
+// --- detection ---------------------------------------------------------------------------------------------------
+
+std::set<Edge> found_features(const Mesh& m)
+{
+  Mesh copy = m;
+  Edge_map map = copy.add_property_map<Edge, bool>("e:feature", true).first;
+  const std::size_t n = IAR::detect_features(faces(copy), copy, map);
+  std::set<Edge> result;
+  for(const Edge e : copy.edges())
+    if(map[e])
+      result.insert(e);
+  CHECK(result.size() == n);
+  return result;
+}
+
+void cad_models_have_all_their_sharp_edges()
+{
+  CHECK(found_features(meshes::to_mesh<Mesh>(meshes::cube(4))).size() == 12 * 4);
+  CHECK(found_features(meshes::to_mesh<Mesh>(meshes::octahedron())).size() == 12);
+  for(const char* name : {"fandisk", "joint", "anchor", "rotor", "couplingdown", "part", "spool", "pinion", "cheese", "pipe",
+                          "dragknob", "cross", "oblong", "u", "cube-meshed"})
+  {
+    const Mesh m = read(name);
+    const std::set<Edge> found = found_features(m);
+    std::size_t sharp = 0;
+    for(const Edge e : m.edges())
+    {
+      const double angle = m.is_border(e) ? 0 : dihedral_angle(e, m);
+      sharp += angle > 40.01;
+      CHECK(angle < 40.01 || angle > 179.9 || found.count(e) > 0);
+      CHECK(angle > 39.99 || found.count(e) == 0);
+    }
+    CHECK_MESSAGE(sharp > 0, name);
+  }
+}
+
+void organic_models_have_next_to_none()
+{
+  CHECK(found_features(meshes::to_mesh<Mesh>(meshes::sphere(3))).empty());
+  CHECK(found_features(meshes::to_mesh<Mesh>(meshes::torus(24, 12, .4))).empty());
+  std::size_t models = 0;
+  for(const char* name : {"elephant", "armadillo", "camel", "cow", "cactus", "dino", "eight", "femur", "bones", "handle", "head",
+                          "helmet", "homer", "hand", "knot1", "knot2", "lion", "lion-head", "man", "mannequin-devil", "pig",
+                          "triceratops", "bear_bis", "blobby"})
+  {
+    const Mesh m = read(name);
+    if(meshes::is_small_run() && m.number_of_faces() > 3000)
+      continue;
+    double all = 0, marked = 0;
+    const std::set<Edge> found = found_features(m);
+    for(const Edge e : m.edges())
+    {
+      all += edge_length(e, m);
+      marked += found.count(e) > 0 ? edge_length(e, m) : 0;
+    }
+    CHECK_MESSAGE(marked <= .01 * all, name << ": " << marked / all);
+    ++models;
+  }
+  CHECK(models >= (meshes::is_small_run() ? 4u : 20u));
+}
+
+void noise_hides_no_edge_and_makes_none()
+{
+  const Mesh m = read("fandisk");
+  const double length = mean_edge_length(m);
+  for(const double noise : {.05, .15})
+  {
+    Mesh noisy = m;
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    for(const Vertex v : noisy.vertices())
+      noisy.point(v) += noise * length / std::sqrt(3.) * Vector(normal(random), normal(random), normal(random));
+    const std::set<Edge> found = found_features(noisy);
+    std::size_t sharp = 0, right = 0;
+    for(const Edge e : m.edges())
+      if(dihedral_angle(e, m) >= 40)
+      {
+        ++sharp;
+        right += found.count(e);
+      }
+    CHECK_MESSAGE(right >= .95 * sharp, noise << ": recall " << double(right) / double(sharp));
+    CHECK_MESSAGE(right >= .9 * found.size(), noise << ": precision " << double(right) / double(found.size()));
+  }
+}
+
+void a_range_and_other_types_will_do()
+{
+  // of a cube, the top: its edges are its border, where nothing is a feature
+  Mesh m = meshes::to_mesh<Mesh>(meshes::cube(3));
+  double high = -1;
+  for(const Vertex v : m.vertices())
+    high = std::max(high, m.point(v).z());
+  std::vector<Face> top;
+  for(const Face f : m.faces())
+  {
+    const auto h = m.halfedge(f);
+    if(m.point(m.source(h)).z() == high && m.point(m.target(h)).z() == high && m.point(m.target(m.next(h))).z() == high)
+      top.push_back(f);
+  }
+  Edge_map map = m.add_property_map<Edge, bool>("e:feature", true).first;
+  CHECK(top.size() == 18 && IAR::detect_features(top, m, map) == 0);
+  CHECK(IAR::detect_features(std::vector<Face>(), m, map) == 0);
+  CHECK_THROWS_WITH_TEXT(IAR::detect_features(top, m, map, -1), CGAL::Precondition_exception, "scale");
+  CHECK_THROWS_WITH_TEXT(IAR::detect_features(top, m, map, std::numeric_limits<double>::infinity()),
+                         CGAL::Precondition_exception, "scale");
+
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  Polyhedron p = meshes::to_mesh<Polyhedron>(meshes::cube(2));
+  std::map<boost::graph_traits<Polyhedron>::edge_descriptor, bool> marks;
+  CHECK(IAR::detect_features(faces(p), p, boost::make_assoc_property_map(marks)) == 12 * 2);
+}
+
+// --- what stays --------------------------------------------------------------------------------------------------
+
+void cad_models_keep_their_features()
+{
+  std::size_t kept_models = 0, models = 0;
+  for(const char* name : {"fandisk", "joint", "anchor", "rotor", "part", "spool", "pinion", "pipe", "dragknob", "cross", "oblong",
+                          "u", "cube-meshed", "anchor_dense", "rotor_small", "corner_tris_with_hole", "couplingdown", "patch-20",
+                          "boeing", "mpi_triang"})
+  {
+    const Mesh input = read(name);
+    if(meshes::is_small_run() && input.number_of_faces() > 1300)
+      continue;
+    const double length = mean_edge_length(input);
+    Mesh output = input;
+    const auto report = IAR::isotropic_remeshing(length, output);
+    output.collect_garbage();
+    CHECK_MESSAGE(report.features == Features::all_sharp_edges && report.feature_edges > 0,
+                  name << ": " << report.feature_edges << " features of kind " << int(report.features));
+    const auto is_sharp = [](const Mesh& m, double bound) {
+      return [&m, bound](Edge e) { return dihedral_angle(e, m) > bound; };
+    };
+    const double kept = share_kept(edges_where(input, is_sharp(input, 40)), edges_where(output, is_sharp(output, 24)), .1 * length);
+    ++models;
+    kept_models += kept >= .98;
+    CHECK_MESSAGE(kept >= .9, name << ": " << kept);
+  }
+  CHECK_MESSAGE(4 * kept_models >= 3 * models, kept_models << " of " << models);
+}
+
+void features_cost_nothing_but_angles()
+{
+  for(const char* name : {"fandisk", "joint", "anchor_dense"})
+  {
+    const Mesh input = read(name);
+    if(meshes::is_small_run() && input.number_of_faces() > 1300)
+      continue;
+    Mesh with = input, without = input;
+    const double length = (input.number_of_faces() < 1000 ? .15 : 1.) * mean_edge_length(input);
+    CHECK(IAR::isotropic_remeshing(length, with).features == Features::all_sharp_edges);
+    CHECK(IAR::isotropic_remeshing(length, without, parameters::sharpness_angle(180)).features == Features::none);
+    with.collect_garbage();
+    without.collect_garbage();
+    const double near = IAR::surface_distance(input, with).hausdorff(), far = IAR::surface_distance(input, without).hausdorff();
+    CHECK_MESSAGE(3 * near < far, name << ": " << near << " against " << far);
+    CHECK_MESSAGE(!PMP::does_self_intersect(with), name);
+  }
+}
+
+// A map or an angle says all.
+void what_is_marked_rules()
+{
+  const Mesh input = meshes::to_mesh<Mesh>(meshes::cube(6));
+  const double length = mean_edge_length(input);
+  Mesh m = input;
+  Edge_map none = m.add_property_map<Edge, bool>("e:none", false).first;
+  CHECK(IAR::isotropic_remeshing(length, m, parameters::edge_is_constrained_map(none)).features == Features::none);
+  m = input;
+  const auto report = IAR::isotropic_remeshing(length, m, parameters::sharpness_angle(80));
+  CHECK(report.features == Features::marked && report.feature_edges == 12 * 6);
+  // Where a functor leads to another surface, the input's edges mean nothing.
+  m = input;
+  const Point centre = CGAL::centroid(input.points().begin(), input.points().end());
+  const auto onto_sphere = [&](const Point& p) { return centre + (p - centre) / std::sqrt((p - centre).squared_length()); };
+  CHECK(IAR::isotropic_remeshing(length, m, parameters::projection_functor(onto_sphere)).features == Features::none);
+  m = input;
+  const IAR::Closest_point_projector<Mesh> itself(input);
+  CHECK(IAR::isotropic_remeshing(length, m, parameters::projection_functor(std::cref(itself))).features ==
+        Features::all_sharp_edges);
+}
+
+// Vertices on curves lie on the polylines of the input; the map says which edges these are.
+void curves_stay_on_their_polylines()
+{
+  for(const auto& [name, factor] : std::vector<std::pair<std::string, double>>{{"joint", .15}, {"rotor", .5}, {"fandisk", 1}})
+  {
+    Mesh m = read(name);
+    if(meshes::is_small_run() && m.number_of_faces() > 1300)
+      continue;
+    Edge_map map = m.add_property_map<Edge, bool>("e:constrained", false).first;
+    PMP::detect_sharp_edges(m, 40, map);
+    const std::vector<Segment_3> marked = edges_where(m, [&](Edge e) { return map[e]; });
+    const double length = factor * mean_edge_length(m);
+    IAR::isotropic_remeshing(length, m, parameters::edge_is_constrained_map(map));
+    const std::vector<Segment_3> result = edges_where(m, [&](Edge e) { return map[e]; });
+    const Segments input(marked, length);
+    double total = 0, before = 0;
+    for(const Segment_3& s : result)
+    {
+      CHECK(input.distance(s.source()) < 1e-9 && input.distance(s.target()) < 1e-9);
+      total += std::sqrt(s.squared_length());
+    }
+    for(const Segment_3& s : marked)
+      before += std::sqrt(s.squared_length());
+    CHECK_MESSAGE(total <= before * (1 + 1e-9) && total > .97 * before, name << ": " << total / before);
+    CHECK_MESSAGE(share_kept(marked, result, .0501 * length) > .999, name << ": " << share_kept(marked, result, .0501 * length));
+  }
+}
+
+// With relax_constraints(false) the input's vertices on curves stay, or go; by default they slide.
+void sliding_can_be_turned_off()
+{
+  const Mesh input = read("three_peaks");
+  std::set<Point> border;
+  for(const Vertex v : input.vertices())
+    if(input.is_border(v))
+      border.insert(input.point(v));
+  for(const bool relaxes : {false, true})
+  {
+    Mesh m = input;
+    IAR::isotropic_remeshing(.9 * mean_edge_length(input), m, parameters::relax_constraints(relaxes));
+    std::size_t kept = 0, moved = 0;
+    for(const Vertex v : m.vertices())
+      if(std::size_t(v) < input.number_of_vertices() && input.is_border(v))
+        (border.count(m.point(v)) > 0 ? kept : moved) += 1;
+    CHECK_MESSAGE(relaxes ? moved > kept : moved == 0 && kept > 20, relaxes << ": " << kept << " kept, " << moved << " moved");
+  }
+  Mesh by_default = input, relaxed = input;
+  IAR::isotropic_remeshing(.9 * mean_edge_length(input), by_default);
+  IAR::isotropic_remeshing(.9 * mean_edge_length(input), relaxed, parameters::relax_constraints(true));
+  CHECK(meshes::Picture<Mesh>(by_default) == meshes::Picture<Mesh>(relaxed));
+}
+
+// Corners by turn and by degree, however coarse the target.
+void corners_stay()
+{
+  for(const double factor : {.4, 1., 3., 20.})
+  {
+    const Mesh cube = meshes::to_mesh<Mesh>(meshes::cube(5)), plate = meshes::to_mesh<Mesh>(meshes::square(7));
+    for(const Mesh* input : {&cube, &plate})
+    {
+      Mesh m = *input;
+      IAR::isotropic_remeshing(factor * mean_edge_length(m), m);
+      std::set<Point> points;
+      double low = std::numeric_limits<double>::infinity(), high = -low;
+      for(const Vertex v : input->vertices())
+      {
+        low = std::min(low, input->point(v).x());
+        high = std::max(high, input->point(v).x());
+      }
+      for(const Vertex v : m.vertices())
+        points.insert(m.point(v));
+      std::size_t corners = 0;
+      for(const Vertex v : input->vertices())
+      {
+        const Point& p = input->point(v);
+        const auto is_extreme = [&](double c) { return c == low || c == high; };
+        if(!is_extreme(p.x()) || !is_extreme(p.y()) || (input == &cube && !is_extreme(p.z())))
+          continue;
+        ++corners;
+        CHECK_MESSAGE(points.count(p) == 1, factor << ": " << p);
+      }
+      CHECK(corners == (input == &cube ? 8 : 4));
+    }
+  }
+}
+
+// The wall of a cylinder, open at both ends: n sides, m rings.
+Soup cylinder_wall(std::size_t n, std::size_t m, double height)
+{
+  Soup soup;
+  for(std::size_t j = 0; j <= m; ++j)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const double a = 2 * CGAL_PI * double(i) / double(n);
+      soup.points.push_back({std::cos(a), std::sin(a), height * double(j) / double(m)});
+    }
+  for(std::size_t j = 0; j < m; ++j)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t k = (i + 1) % n;
+      soup.faces.push_back({j * n + i, j * n + k, j * n + n + k});
+      soup.faces.push_back({j * n + i, j * n + n + k, j * n + n + i});
+    }
+  return soup;
+}
+
+// Closed curves without a corner: on the polygon at its own length, on the circle where the target is much finer.
+void rims_stay_closed_and_become_round()
+{
+  const Mesh input = meshes::to_mesh<Mesh>(cylinder_wall(16, 6, 2.4));
+  for(const double length : {1., .4, .1})
+  {
+    Mesh m = input;
+    const auto report = IAR::isotropic_remeshing(length, m);
+    CHECK(topology(m) == topology(input));
+    double error = 0;
+    for(const Vertex v : m.vertices())
+      if(m.is_border(v))
+      {
+        error = std::max(error, std::abs(std::hypot(m.point(v).x(), m.point(v).y()) - 1));
+        CHECK(m.point(v).z() == 0 || std::abs(m.point(v).z() - 2.4) < 1e-12);
+      }
+    const double sagitta = 1 - std::cos(CGAL_PI / 16);
+    CHECK_MESSAGE(error < (length == .1 ? sagitta / 20 : 1.01 * sagitta), length << ": " << error);
+    CHECK(length == 1. || (report.angles_after.minimum > 30 && report.angles_after.maximum < 105));
+  }
+}
+
+// Borders as good as the interior.
+void borders_have_good_angles()
+{
+  for(const auto& [name, factor] : std::vector<std::pair<std::string, double>>{
+        {"patch-30", .5}, {"three_peaks", 1}, {"holes", 1}, {"nefertiti", .5}, {"mesh_with_border", 1}, {"mushroom", 1}})
+  {
+    const Mesh input = read(name);
+    if(meshes::is_small_run() && input.number_of_faces() > 1300)
+      continue;
+    Mesh ours = input, theirs = input;
+    const double length = factor * mean_edge_length(input);
+    IAR::isotropic_remeshing(length, ours);
+    PMP::isotropic_remeshing(faces(theirs), length, theirs, parameters::number_of_iterations(10));
+    const auto quality = IAR::inter_angle_statistics(ours), peer = IAR::inter_angle_statistics(theirs);
+    CHECK_MESSAGE(quality.minimum_angle > 25 && quality.maximum_angle < 115, name << ": " << quality.minimum_angle << " to "
+                                                                                  << quality.maximum_angle);
+    CHECK_MESSAGE(quality.average > peer.average + 1.5, name << ": " << quality.average << " against " << peer.average);
+    CHECK_MESSAGE(topology(ours) == topology(input), name);
+    CHECK_MESSAGE(!PMP::does_self_intersect(ours), name);
+  }
+}
+
+// Details smaller than the target: the target follows the curves' edges, or not.
+void grading_mends_small_details()
+{
+  const Mesh input = read("spool");
+  const double length = .5 * mean_edge_length(input);
+  Mesh graded = input, uniform = input;
+  IAR::Recipe recipe;
+  recipe.grading = 0;
+  IAR::isotropic_remeshing(length, graded);
+  IAR::isotropic_remeshing(faces(uniform), length, uniform, IAR::recipe(recipe));
+  CHECK(graded.number_of_faces() > uniform.number_of_faces());
+  CHECK(IAR::inter_angle_statistics(graded).average > IAR::inter_angle_statistics(uniform).average + .3);
+  recipe.grading = -1;
+  CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing(faces(uniform), length, uniform, IAR::recipe(recipe)),
+                         CGAL::Precondition_exception, "grading");
+  Mesh counted = input;
+  IAR::isotropic_remeshing(IAR::Face_count(8000), counted);
+  CHECK_MESSAGE(counted.number_of_faces() > 8000 / 1.5 && counted.number_of_faces() < 8000 * 1.5, counted.number_of_faces());
+}
+
+int main()
+{
+  cad_models_have_all_their_sharp_edges();
+  organic_models_have_next_to_none();
+  noise_hides_no_edge_and_makes_none();
+  a_range_and_other_types_will_do();
+  cad_models_keep_their_features();
+  features_cost_nothing_but_angles();
+  what_is_marked_rules();
+  curves_stay_on_their_polylines();
+  sliding_can_be_turned_off();
+  corners_stay();
+  rims_stay_closed_and_become_round();
+  borders_have_good_angles();
+  grading_mends_small_details();
+  return result();
+}
