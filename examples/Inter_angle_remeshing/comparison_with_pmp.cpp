@@ -4,6 +4,7 @@
 // Remeshes one mesh with CGAL::Polygon_mesh_processing and with this package, prints a table that compares the results,
 // and writes the one of this package.
 
+#include <CGAL/Inter_angle_remeshing/detect_features.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 #include <CGAL/Inter_angle_remeshing/surface_distance.h>
 #include <CGAL/Inter_angle_remeshing/triangle_quality.h>
@@ -191,25 +192,32 @@ std::string text(const double value, const int digits)
 }
 
 // The cells below the title, in the order of `row_titles`.
-using Column = std::array<std::string, 8>;
+using Column = std::array<std::string, 11>;
 
 const Column row_titles = {"faces", "min angle (degrees)", "max angle (degrees)", "theta_avg (degrees)", "valence 6 (%)",
+                           "faces that the input forces", "min angle of the others", "max angle of the others",
                            "Hausdorff distance (% of diagonal)", "mean distance (% of diagonal)", "time (ms)"};
 
 Column quality_column(const Mesh& mesh)
 {
-  const IAR::Inter_angle_statistics angles = IAR::inter_angle_statistics(mesh);
+  Mesh marked = mesh;
+  const auto is_feature = marked.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  IAR::detect_features(faces(marked), marked, is_feature);
+  const IAR::Inter_angle_statistics angles =
+    IAR::inter_angle_statistics(marked, CGAL::parameters::edge_is_constrained_map(is_feature));
   return {std::to_string(angles.number_of_faces), text(angles.minimum_angle, 1), text(angles.maximum_angle, 1),
-          text(angles.average, 2), text(angles.percentage_of_regular_vertices(), 1), "-", "-", "-"};
+          text(angles.average, 2), text(angles.percentage_of_regular_vertices(), 1),
+          std::to_string(angles.number_of_forced_faces), text(angles.minimum_unforced_angle, 1),
+          text(angles.maximum_unforced_angle, 1), "-", "-", "-"};
 }
 
 Column result_column(const Mesh& input, const Remeshed& result)
 {
   Column column = quality_column(result.mesh);
   const IAR::Surface_distance distance = IAR::surface_distance(input, result.mesh);
-  column[5] = text(100 * distance.relative_hausdorff(), 3);
-  column[6] = text(100 * distance.relative_mean(), 4);
-  column[7] = text(result.milliseconds, 1);
+  column[8] = text(100 * distance.relative_hausdorff(), 3);
+  column[9] = text(100 * distance.relative_mean(), 4);
+  column[10] = text(result.milliseconds, 1);
   return column;
 }
 
@@ -222,8 +230,10 @@ void print_row(const std::string& title, const std::string& a, const std::string
 void print_table(const Column& input, const Column& pmp, const Column& ours)
 {
   print_row("", "input", "PMP", "this package");
+  const bool forces_none = input[5] == "0" && pmp[5] == "0" && ours[5] == "0";
   for(std::size_t i = 0; i < row_titles.size(); ++i)
-    print_row(row_titles[i], input[i], pmp[i], ours[i]);
+    if(!forces_none || i < 5 || i > 7)
+      print_row(row_titles[i], input[i], pmp[i], ours[i]);
 }
 
 void compare(const Options& options, const Mesh& input)

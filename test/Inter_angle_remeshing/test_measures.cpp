@@ -545,8 +545,32 @@ void distances_that_do_not_exist_are_refused()
   CHECK_THROWS_AS(IAR::surface_distance(good, good, parameters::number_of_points_on_faces(-1)), Refusal, "positive");
 }
 
+// Two edges of the border, or constrained ones, that make less than 60 degrees force what is between them.
+void forced_faces_are_told_from_the_others()
+{
+  Soup soup;
+  soup.points = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {-.5, 1, 0}};
+  soup.faces = {{0, 1, 2}, {0, 2, 3}};
+  const Mesh m = to_mesh(soup);
+  // (2, 0) has 45 degrees between edges of the border, (-.5, 1) some 63
+  const auto border_only = IAR::inter_angle_statistics(m);
+  CHECK(border_only.number_of_forced_faces == 1);
+  CHECK(near(border_only.minimum_angle, 45, 1e-12) && near(border_only.maximum_angle, 90, 1e-12) &&
+        border_only.maximum_unforced_angle < 80);
+  std::map<boost::graph_traits<Mesh>::edge_descriptor, bool> marks;
+  for(const auto e : edges(m))
+    marks[e] = true;
+  const auto all = IAR::inter_angle_statistics(m, parameters::edge_is_constrained_map(boost::make_assoc_property_map(marks)));
+  CHECK(all.number_of_forced_faces == 2 && all.number_of_faces == 2 && all.minimum_unforced_angle == all.minimum_angle);
+  CHECK(border_only.unforced_average > border_only.average);
+  const auto closed = IAR::inter_angle_statistics(to_mesh(sphere(2)));
+  CHECK(closed.number_of_forced_faces == 0 && closed.minimum_unforced_angle == closed.minimum_angle &&
+        closed.maximum_unforced_angle == closed.maximum_angle && closed.unforced_average == closed.average);
+}
+
 int main()
 {
+  forced_faces_are_told_from_the_others();
   equilateral_triangles_have_60_degrees();
   border_vertices_are_not_interior();
   right_isosceles_triangle();

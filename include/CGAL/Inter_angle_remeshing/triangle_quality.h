@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <iterator>
 #include <string>
+#include <type_traits>
 #include <unordered_set>
 #include <vector>
 
@@ -59,6 +60,19 @@ struct Inter_angle_statistics
   /// \f$ \theta_{avg} = 60 - \frac{1}{n} \sum_i |\theta_i - 60| \f$ over the angles of the faces that are not
   /// degenerate: 60 for equilateral triangles and smaller for all others; 0 where there is no such face
   double average = 0;
+
+  /// the number of *forced* faces: those with a corner of less than 60 degrees between two edges of the border, or of
+  /// `edge_is_constrained_map`. No remesher that keeps the border and the constraints can do anything about that corner.
+  std::size_t number_of_forced_faces = 0;
+
+  /// the smallest angle of the faces that are not forced; as `minimum_angle` where there is no such face
+  double minimum_unforced_angle = 0;
+
+  /// the largest angle of the faces that are not forced
+  double maximum_unforced_angle = 0;
+
+  /// `average` of the faces that are not forced
+  double unforced_average = 0;
 
   /// how many angles lie in [0, 5), [5, 10), ..., [175, 180]; an angle that equals a bound but for rounding may be
   /// counted on either side of it
@@ -282,6 +296,22 @@ std::size_t interior_valence(const Halfedge h, const TriangleMesh& tmesh, const 
   return valence;
 }
 
+// Whether the two edges at one of the corners of the face of `h0` are on curves and make less than 60 degrees.
+template <class Halfedge, class TriangleMesh, class IsOnCurve>
+bool is_forced(const Halfedge h0, const Triangle_coordinates& corners, const TriangleMesh& tmesh, const IsOnCurve& is_on_curve)
+{
+  const Triangle_coordinates edges = normalized_edges(corners);
+  Halfedge h = h0; // towards corner i
+  for(std::size_t i = 0; i < 3; ++i, h = next(h, tmesh))
+  {
+    const Coordinates &u = edges[(i + 1) % 3], &v = edges[(i + 2) % 3];
+    const double cosine = -dot_product(u, v), product = std::sqrt(dot_product(u, u) * dot_product(v, v));
+    if(cosine > .5 * product && is_on_curve(h) && is_on_curve(next(h, tmesh)))
+      return true;
+  }
+  return false;
+}
+
 template <class FaceRange, class TriangleMesh, class NamedParameters, class IsInRange>
 Inter_angle_statistics inter_angle_statistics(const FaceRange& face_range, const TriangleMesh& tmesh,
                                               const NamedParameters& np, const IsInRange& is_in_range)
@@ -290,11 +320,23 @@ Inter_angle_statistics inter_angle_statistics(const FaceRange& face_range, const
   using parameters::get_parameter;
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     get_const_property_map(CGAL::vertex_point, tmesh));
-  Angle_accumulator accumulator;
+  const auto ecm = get_parameter(np, internal_np::edge_is_constrained);
+  const auto is_on_curve = [&](const auto h) {
+    if(CGAL::is_border_edge(h, tmesh))
+      return true;
+    if constexpr(std::is_same<std::decay_t<decltype(ecm)>, internal_np::Param_not_found>::value)
+      return false;
+    else
+      return bool(get(ecm, edge(h, tmesh)));
+  };
+  Angle_accumulator accumulator, unforced;
   std::size_t ordinal = 0;
   for(const auto f : face_range)
   {
-    accumulator.add(checked_triangle(f, ordinal++, "the range", tmesh, vpm));
+    const Triangle_coordinates corners = checked_triangle(f, ordinal++, "the range", tmesh, vpm);
+    accumulator.add(corners);
+    if(!is_forced(halfedge(f, tmesh), corners, tmesh, is_on_curve))
+      unforced.add(corners);
 
     // An interior vertex has one halfedge that stands for it, and the face of that is in the range: counted once.
     for(const auto h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh))
@@ -302,7 +344,14 @@ Inter_angle_statistics inter_angle_statistics(const FaceRange& face_range, const
         if(const std::size_t valence = interior_valence(h, tmesh, is_in_range))
           accumulator.add_interior_vertex(valence);
   }
-  return accumulator.result();
+  Inter_angle_statistics result = accumulator.result();
+  const Inter_angle_statistics rest = unforced.result();
+  const bool is_any_left = rest.number_of_faces > 0;
+  result.number_of_forced_faces = result.number_of_faces - rest.number_of_faces;
+  result.minimum_unforced_angle = is_any_left ? rest.minimum_angle : result.minimum_angle;
+  result.maximum_unforced_angle = is_any_left ? rest.maximum_angle : result.maximum_angle;
+  result.unforced_average = is_any_left ? rest.average : result.average;
+  return result;
 }
 
 } // namespace measures
@@ -332,6 +381,12 @@ Inter_angle_statistics inter_angle_statistics(const FaceRange& face_range, const
  *                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a `Point_3` of any kernel
  *                    as value type}
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{edges that are curves beside the border; tells which faces are forced}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with
+ *                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+ *     \cgalParamDefault{no edge is}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
