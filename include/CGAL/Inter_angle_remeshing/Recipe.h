@@ -73,7 +73,7 @@ struct Recipe
   /// whether valences of 4 and less, and angles out of the band, are mended after the last iteration
   bool clean_up = true;
   /// the band, in degrees, into which the clean-up moves the angles, as far as moving vertices along the surface can:
-  /// its lower bound, under 60
+  /// its lower bound, under 60. Faces that touch the border or a feature are moved into [35, 100] if that is wider.
   double lower_angle = 44;
   /// its upper bound, over 60
   double upper_angle = 85;

@@ -101,16 +101,18 @@ number of faces of the range and of the result, per iteration.
                           `MLS_projector` run from warm starts. Hand functors with a state over by `std::ref`.}
     \cgalParamType{a model of `RemeshingProjector`}
     \cgalParamDefault{onto the closest point of the range as it was where its faces have mean edge lengths of up to two
-                      target lengths or where hardly any has more, onto the surface of `MLS_projector` from three on,
-                      smooth in between}
+                      target lengths or where hardly any has more, and on CAD models, onto the surface of
+                      `MLS_projector` from three on, smooth in between}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{edges that are never flipped. They may be split and collapsed along straight stretches; their
-                          ends do not move. After the call the map, if it can be written, is right for every edge of
-                          the range.}
+    \cgalParamDescription{edges that are never flipped. They may be split and collapsed, and their ends slide along the
+                          polylines that they form, as `relax_constraints` says; no polyline of the input lies further
+                          than 0.05 target lengths from what becomes of it, but where it is too jagged for that. After
+                          the call the map, if it can be written, is right for every edge of the range.}
     \cgalParamType{a class model of `ReadWritePropertyMap` (or `ReadablePropertyMap`) with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
-    \cgalParamDefault{no edge is constrained}
+    \cgalParamDefault{the features that `detect_features()` finds, unless `sharpness_angle` is given, or the projection
+                      functor is one that knows no surface}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{vertices that are kept and not moved, to the last bit}
@@ -127,12 +129,13 @@ number of faces of the range and of the result, per iteration.
   \cgalParamNEnd
   \cgalParamNBegin{sharpness_angle}
     \cgalParamDescription{edges whose faces' normals differ by more than this angle, in degrees, are constrained, beside
-                          those of `edge_is_constrained_map`}
+                          those of `edge_is_constrained_map`; 180: none}
     \cgalParamType{a number type}
-    \cgalParamDefault{180: none}
+    \cgalParamDefault{see `edge_is_constrained_map`}
   \cgalParamNEnd
   \cgalParamNBegin{protect_constraints}
-    \cgalParamDescription{whether constrained edges and the border are neither split nor collapsed}
+    \cgalParamDescription{whether constrained edges and the border are neither split nor collapsed, and their ends stay;
+                          features that are found by themselves are not protected}
     \cgalParamType{bool}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -142,9 +145,12 @@ number of faces of the range and of the result, per iteration.
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{relax_constraints}
-    \cgalParamDescription{whether the ends of constrained edges may move along them; `true` is refused for now}
+    \cgalParamDescription{whether vertices of the input on constrained edges and on the border slide along the polylines
+                          that these form. With `false` they stay where they are or are collapsed; vertices that are
+                          made there slide all the same. Corners never move: ends and junctions of polylines, and turns
+                          of 45 degrees and more.}
     \cgalParamType{bool}
-    \cgalParamDefault{`false`}
+    \cgalParamDefault{`true`, other than in %Polygon_mesh_processing: triangles beside curves are as good as elsewhere}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{called after each pass with the progress in [0, 1]. If it returns `false`, the run stops, and the
@@ -188,7 +194,7 @@ number of faces of the range and of the result, per iteration.
         points are equal; `length` is negative, not finite, or so small that the result could not be indexed (about 350
         million faces); the wanted number of faces is 0; a vertex has more than 16383 faces; two protected edges join
         the same vertices; a member of the recipe, `sharpness_angle` or a number of iterations or relaxation steps is
-        out of its range; `relax_constraints(true)` is asked for; or `Recipe::Surface::paper` is, without Eigen
+        out of its range; or `Recipe::Surface::paper` is asked for without Eigen
 @throws CGAL::Postcondition_exception if the projection functor returns a point that is not finite; nothing is changed
 @throws whatever a policy, projector, visitor, callback or property map of the user's throws
 */

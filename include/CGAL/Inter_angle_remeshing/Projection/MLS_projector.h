@@ -28,8 +28,9 @@ namespace Inter_angle_remeshing {
 The surface that a mesh stands for is rarely made of facets. Around each vertex a cubic height field is fitted to the
 neighbors with weights that fall with their distance; its normals bend the facets into a surface without creases
 between them. Where the mesh samples a smooth surface, the error falls with the fourth power of the edge length
-instead of the second. Edges with a dihedral angle of more than 44 degrees are features: they become smooth curves,
-the two sides keep their normals, and corners stay where they are; so does the border.
+instead of the second. The edges that `detect_features()` finds are features: they become smooth curves, the two sides keep
+their normals, and corners stay where they are; so does the border. Faces that touch a fold, an edge of more than 120
+degrees, stay flat.
 
 No point P of the surface is further from its face than 0.15 times the mean edge length of the face; a projection lies
 within another 0.3 of these of P, so that a result is never further than 0.45 mean edge lengths from the mesh.

@@ -236,10 +236,11 @@ struct Default_surface
     return {facets, 1, smooth ? &*smooth : nullptr, FACET_RATIO * target_length, SMOOTH_RATIO * target_length, nullptr, &face_of_source};
   }
 
-  // Bends the curves of the mesh into those of the surface.
-  void bend(Input_curves& curves) const
+  // Bends the curves of the mesh into those of the surface, where the mesh as a whole is refined by so much: a border is
+  // measured against its polyline before that.
+  void bend(Input_curves& curves, double mean_length) const
   {
-    if (!smooth) return;
+    if (!smooth || mean_length < SMOOTH_RATIO * target_length) return;
     const Surface_projection blend = projection();
     curves.bend([&](Remeshing_mesh::Index h) {
       const Remeshing_mesh::Index o = facets.opposite(h);
@@ -316,7 +317,7 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
     }
     const Default_surface surface(mesh, target, kind);
     start_where_vertices_are(mesh);
-    surface.bend(curves);
+    surface.bend(curves, mean_edge_length(mesh));
     if (parameters.schedule.wanted_faces > 0) target *= std::sqrt(surface.area_ratio());
     return run(surface.projection());
   } else if constexpr (Has_reference_surface<Functor>::value) {
