@@ -563,6 +563,16 @@ void forced_faces_are_told_from_the_others()
   const auto all = IAR::inter_angle_statistics(m, parameters::edge_is_constrained_map(boost::make_assoc_property_map(marks)));
   CHECK(all.number_of_forced_faces == 2 && all.number_of_faces == 2 && all.minimum_unforced_angle == all.minimum_angle);
   CHECK(border_only.unforced_average > border_only.average);
+  // A needle on a border edge between two corners, .1 long, and one on an edge in the middle of a straight border.
+  Soup needle;
+  needle.points = {{0, 0, 0}, {.1, 0, 0}, {.05, 1, 0}, {1, 1.05, 0}, {-1, 1.05, 0}};
+  needle.faces = {{0, 1, 2}, {1, 3, 2}, {0, 2, 4}};
+  const auto between_corners = IAR::inter_angle_statistics(to_mesh(needle.joined_with(sphere(1).moved(9, 0, 0))));
+  CHECK(between_corners.minimum_angle < 6 && between_corners.minimum_unforced_angle > 40);
+  needle.points[3] = {1, 0, 0};
+  needle.points[4] = {-1, 0, 0};
+  const auto on_a_line = IAR::inter_angle_statistics(to_mesh(needle));
+  CHECK(on_a_line.minimum_angle < 6 && on_a_line.minimum_unforced_angle == on_a_line.minimum_angle);
   const auto closed = IAR::inter_angle_statistics(to_mesh(sphere(2)));
   CHECK(closed.number_of_forced_faces == 0 && closed.minimum_unforced_angle == closed.minimum_angle &&
         closed.maximum_unforced_angle == closed.maximum_angle && closed.unforced_average == closed.average);

@@ -61,8 +61,10 @@ struct Inter_angle_statistics
   /// degenerate: 60 for equilateral triangles and smaller for all others; 0 where there is no such face
   double average = 0;
 
-  /// the number of *forced* faces: those with a corner of less than 60 degrees between two edges of the border, or of
-  /// `edge_is_constrained_map`. No remesher that keeps the border and the constraints can do anything about that corner.
+  /// the number of *forced* faces, which no remesher can mend that keeps curves, that is the border and the edges of
+  /// `edge_is_constrained_map`: faces with a corner of less than 60 degrees between two edges on curves, and faces with an
+  /// edge on a curve between two of its corners (ends, junctions, turns of 45 degrees and more) that is less than half as
+  /// long as their other two edges
   std::size_t number_of_forced_faces = 0;
 
   /// the smallest angle of the faces that are not forced; as `minimum_angle` where there is no such face
@@ -296,17 +298,41 @@ std::size_t interior_valence(const Halfedge h, const TriangleMesh& tmesh, const 
   return valence;
 }
 
-// Whether the two edges at one of the corners of the face of `h0` are on curves and make less than 60 degrees.
-template <class Halfedge, class TriangleMesh, class IsOnCurve>
-bool is_forced(const Halfedge h0, const Triangle_coordinates& corners, const TriangleMesh& tmesh, const IsOnCurve& is_on_curve)
+// The cosine of the angle between two vectors; 1 where one of them has no length.
+inline double cosine(const Coordinates& u, const Coordinates& v)
+{
+  const double product = std::sqrt(dot_product(u, u)) * std::sqrt(dot_product(v, v));
+  return product > 0 ? dot_product(u, v) / product : 1.;
+}
+
+// Whether the target of `h` is a corner of curves: not between two edges on curves that turn by less than 45 degrees.
+template <class Halfedge, class TriangleMesh, class VertexPointMap, class IsOnCurve>
+bool is_corner_of_curves(const Halfedge h, const TriangleMesh& tmesh, const VertexPointMap& vpm, const IsOnCurve& is_on_curve)
+{
+  constexpr double corner_cosine = -.7071067811865476;
+  const Coordinates here = double_coordinates(get(vpm, target(h, tmesh)));
+  std::vector<Coordinates> arms;
+  for(const Halfedge around : CGAL::halfedges_around_target(h, tmesh))
+    if(is_on_curve(around))
+      arms.push_back(half_difference(here, double_coordinates(get(vpm, source(around, tmesh)))));
+  return arms.size() != 2 || cosine(arms[0], arms[1]) > corner_cosine;
+}
+
+template <class Halfedge, class TriangleMesh, class VertexPointMap, class IsOnCurve>
+bool is_forced(const Halfedge h0, const Triangle_coordinates& corners, const TriangleMesh& tmesh, const VertexPointMap& vpm,
+               const IsOnCurve& is_on_curve)
 {
   const Triangle_coordinates edges = normalized_edges(corners);
-  Halfedge h = h0; // towards corner i
+  Halfedge h = h0; // towards corner i, opposite of corner i + 1
   for(std::size_t i = 0; i < 3; ++i, h = next(h, tmesh))
   {
-    const Coordinates &u = edges[(i + 1) % 3], &v = edges[(i + 2) % 3];
-    const double cosine = -dot_product(u, v), product = std::sqrt(dot_product(u, u) * dot_product(v, v));
-    if(cosine > .5 * product && is_on_curve(h) && is_on_curve(next(h, tmesh)))
+    if(!is_on_curve(h))
+      continue;
+    const Coordinates &own = edges[(i + 1) % 3], &u = edges[i], &v = edges[(i + 2) % 3];
+    if(-cosine(own, v) > .5 && is_on_curve(next(h, tmesh)))
+      return true;
+    if(4 * dot_product(own, own) < (std::min)(dot_product(u, u), dot_product(v, v)) &&
+       is_corner_of_curves(h, tmesh, vpm, is_on_curve) && is_corner_of_curves(opposite(h, tmesh), tmesh, vpm, is_on_curve))
       return true;
   }
   return false;
@@ -335,7 +361,7 @@ Inter_angle_statistics inter_angle_statistics(const FaceRange& face_range, const
   {
     const Triangle_coordinates corners = checked_triangle(f, ordinal++, "the range", tmesh, vpm);
     accumulator.add(corners);
-    if(!is_forced(halfedge(f, tmesh), corners, tmesh, is_on_curve))
+    if(!is_forced(halfedge(f, tmesh), corners, tmesh, vpm, is_on_curve))
       unforced.add(corners);
 
     // An interior vertex has one halfedge that stands for it, and the face of that is in the range: counted once.
