@@ -568,8 +568,13 @@ void check_constraints_are_kept(Random_case& c, Mesh& output, const std::string&
   }
   const double patches_moved = distance(patch_borders(c.mesh), patch_borders(output));
   CHECK_MESSAGE(patches_moved <= tolerance, what << ": " << patches_moved / c.length);
+  // A border becomes a smooth curve where the mesh is refined by a factor of three, which lies within .09 of an edge.
+  double longest = 0;
+  for(const Segment& s : border(c.mesh))
+    longest = std::max(longest, std::sqrt(CGAL::squared_distance(s.source, s.target)));
+  const bool is_smooth = 2.7 * c.length < mean_edge_length(c.mesh) || c.range.size() < faces(c.mesh).size();
   const double moved = distance(border(c.mesh), border(output));
-  CHECK_MESSAGE(moved <= tolerance, what << ": " << moved / c.length);
+  CHECK_MESSAGE(moved <= tolerance + (is_smooth && !c.protect ? .09 * longest : 0), what << ": " << moved / c.length);
 }
 
 void check_random_case(std::uint64_t seed)

@@ -278,12 +278,13 @@ inline void Feature_graph::drop_parallel_chains()
     if (mesh_.corner(h) < 3 && mesh_.is_border(h))
       for_each_sample(mesh_.position(mesh_.origin(h)), mesh_.position(mesh_.target(h)), accept);
 
-  std::vector<Chain> all = chains();
-  std::stable_sort(all.begin(), all.end(), [&](const Chain& a, const Chain& b) {
-    return weighted_angle(a.edges) > weighted_angle(b.edges);
-  });
+  const std::vector<Chain> all = chains();
+  std::vector<std::pair<double, std::size_t>> order;          // the strongest first, of equal ones the first
+  for (std::size_t i = 0; i < all.size(); ++i) order.emplace_back(-weighted_angle(all[i].edges), i);
+  std::sort(order.begin(), order.end());
   std::vector<std::vector<Vector3>> directions(vertices_.size());     // of accepted chains
-  for (const Chain& chain : all) {
+  for (const auto& entry : order) {
+    const Chain& chain = all[entry.second];
     std::vector<std::pair<Index, Vector3>> leaving;
     for (const Index e : chain.edges)
       for (const Index v : edges_[e].ends)

@@ -237,8 +237,8 @@ struct Default_surface
   }
 
   // Bends the curves of the mesh into those of the surface, where the mesh as a whole is refined by so much: a border is
-  // measured against its polyline before that.
-  void bend(Input_curves& curves, double mean_length) const
+  // measured against its polyline before that. Edges that the user marked stay straight.
+  void bend(Input_curves& curves, double mean_length, const Remeshing_mesh& mesh, const Input_kind& kind) const
   {
     if (!smooth || mean_length < SMOOTH_RATIO * target_length) return;
     const Surface_projection blend = projection();
@@ -246,6 +246,7 @@ struct Default_surface
       const Remeshing_mesh::Index o = facets.opposite(h);
       double share = blend.share_of_mls(smooth->mean_edge_length(h >> 2));
       if (o >= 0) share = (share + blend.share_of_mls(smooth->mean_edge_length(o >> 2))) / 2;
+      if (mesh.is_constrained(h) && !kind.has_found_features) return std::array<Vector3, 2>{};
       std::array<Vector3, 2> offsets = smooth->curve_offsets(h);
       for (Vector3& d : offsets) d = share * d;
       return offsets;
@@ -317,7 +318,7 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
     }
     const Default_surface surface(mesh, target, kind);
     start_where_vertices_are(mesh);
-    surface.bend(curves, mean_edge_length(mesh));
+    surface.bend(curves, mean_edge_length(mesh), mesh, kind);
     if (parameters.schedule.wanted_faces > 0) target *= std::sqrt(surface.area_ratio());
     return run(surface.projection());
   } else if constexpr (Has_reference_surface<Functor>::value) {
