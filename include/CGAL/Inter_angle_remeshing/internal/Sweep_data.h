@@ -192,6 +192,7 @@ inline void Sweep_data::read_slides(const Remeshing_mesh& mesh)
     Slide slide{};
     std::size_t n = 0;
     for_each_curve_halfedge(mesh, order[i], [&](Index h) {
+      if (n == 2) return;
       slide.ends[n] = mesh.curve_end(h);
       slide.neighbors[n++] = rank_[mesh.source(mesh.opposite(h))];
     });

@@ -221,7 +221,7 @@ private:
     if (!(before > 0)) return false;
     std::array<Index, 2> ends{};
     std::size_t n = 0;
-    for_each_curve_halfedge(mesh_, v, [&](Index h) { ends[n++] = mesh_.curve_end(h); });
+    for_each_curve_halfedge(mesh_, v, [&](Index h) { if (n < 2) ends[n++] = mesh_.curve_end(h); });
     const Index curve = mesh_.curve_of(ends[0]);
     const double t = mesh_.arc_length(ends[0]), d = DIFFERENCE * length_;
     const auto at = [&](double shift) { return context_.curves.point(curve, t + shift); };
