@@ -41,7 +41,8 @@ at least five lengths, and of 40 for each end that leads nowhere; half of their 
 chains side by side the sharper one stays. The length is that of `scale`, or the mean edge length if that is longer.
 
 Measured: of the edges over 40 degrees of fandisk.off with a noise of 15% of the edge length, 99% are found, and of what is
-found 99.7% is right. Of 47 organic models, five have any feature, with at most 0.8% of the edge length.
+found 99.7% is right. Of the 72 models of \cgal that are not taken for CAD models, six have any feature: turbine.off, a
+machine part, with 2.1% of the edge length, five organic ones with at most 0.8%.
 
 Complexity: linear in the number of faces.
 
