@@ -104,21 +104,7 @@ Model sphere()
 
 Model torus(std::size_t faces)
 {
-  constexpr std::size_t N = 60, K = 24;
-  Mesh mesh;
-  std::vector<Mesh::Vertex_index> v;
-  for (std::size_t i = 0; i < N; ++i)
-    for (std::size_t j = 0; j < K; ++j) {
-      const double a = 2 * CGAL_PI * double(i) / N, b = 2 * CGAL_PI * double(j) / K, r = 1 + .4 * std::cos(b);
-      v.push_back(mesh.add_vertex(Point(r * std::cos(a), r * std::sin(a), .4 * std::sin(b))));
-    }
-  const auto at = [&](std::size_t i, std::size_t j) { return v[(i % N) * K + j % K]; };
-  for (std::size_t i = 0; i < N; ++i)
-    for (std::size_t j = 0; j < K; ++j) {
-      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
-    }
-  return {"torus", coarse_mesh(mesh, faces, onto_torus), onto_torus};
+  return {"torus", coarse_mesh(torus_mesh(60, 24), faces, onto_torus), onto_torus};
 }
 
 Model organic(const std::string& name, std::size_t faces)

@@ -10,8 +10,10 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -53,6 +55,25 @@ inline Mesh subdivide(const Mesh& mesh)
     result.add_face(middle(h), middle(n), middle(p));
   }
   return result;
+}
+
+// A torus with radii 1 and .4, of n times k quadrangles, halved.
+inline Mesh torus_mesh(std::size_t n, std::size_t k)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < k; ++j) {
+      const double a = 2 * CGAL_PI * double(i) / double(n), b = 2 * CGAL_PI * double(j) / double(k), r = 1 + .4 * std::cos(b);
+      v.push_back(mesh.add_vertex(Kernel::Point_3(r * std::cos(a), r * std::sin(a), .4 * std::sin(b))));
+    }
+  const auto at = [&](std::size_t i, std::size_t j) { return v[(i % n) * k + j % k]; };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < k; ++j) {
+      mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+      mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  return mesh;
 }
 
 #endif // INTER_ANGLE_REMESHING_BENCHMARK_MESHES_H

@@ -91,19 +91,7 @@ Mesh fine_mesh(const Level_set& surface)
     CGAL::make_grid(100, 100, mesh, [](std::size_t i, std::size_t j) {
       return Point(double(i) / 50 - 1, double(j) / 50 - 1, 0); }, true);
   else if (&surface == &TORUS) {
-    constexpr std::size_t N = 160, K = 64;
-    std::vector<Mesh::Vertex_index> v;
-    for (std::size_t i = 0; i < N; ++i)
-      for (std::size_t j = 0; j < K; ++j) {
-        const double a = 2 * CGAL_PI * double(i) / N, b = 2 * CGAL_PI * double(j) / K, r = 1 + .4 * std::cos(b);
-        v.push_back(mesh.add_vertex(Point(r * std::cos(a), r * std::sin(a), .4 * std::sin(b))));
-      }
-    const auto at = [&](std::size_t i, std::size_t j) { return v[(i % N) * K + j % K]; };
-    for (std::size_t i = 0; i < N; ++i)
-      for (std::size_t j = 0; j < K; ++j) {
-        mesh.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-        mesh.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
-      }
+    mesh = torus_mesh(160, 64);
   } else {
     CGAL::make_icosahedron(mesh, Point(0, 0, 0), 1.);
     for (int level = 0; level < 5; ++level) {

@@ -9,8 +9,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Vector3.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 #include <CGAL/Inter_angle_remeshing/internal/sector_fit.h>
-
-#include <CGAL/number_utils.h>
+#include <CGAL/Inter_angle_remeshing/internal/to_vector3.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -83,7 +82,7 @@ public:
   /// returns the projection of `p`.
   Point_3 project(const Point_3& p) const
   {
-    const Vector3 r = projection(to_vector3(p));
+    const Vector3 r = projection(internal::to_vector3(p));
     return Point_3(r.x, r.y, r.z);
   }
 
@@ -95,12 +94,6 @@ private:
   static constexpr int MAXIMUM_PLANE_STEPS = 20;
   static constexpr double PLANE_TOLERANCE = 1e-6;      // of q, in bandwidths
   static constexpr double LARGEST_DISTANCE = 2;        // from the nearest point, in bandwidths
-
-  template <class Triple>
-  static Vector3 to_vector3(const Triple& t)
-  {
-    return {CGAL::to_double(t.x()), CGAL::to_double(t.y()), CGAL::to_double(t.z())};
-  }
 
   struct Data
   {
@@ -115,8 +108,8 @@ private:
     {
       Split s;
       for (const auto& entry : range) {
-        s.points.push_back(to_vector3(entry.first));
-        s.normals.push_back(to_vector3(entry.second));
+        s.points.push_back(internal::to_vector3(entry.first));
+        s.normals.push_back(internal::to_vector3(entry.second));
         if (!internal::is_finite(s.points.back()) || !internal::is_finite(s.normals.back()))
           internal::refuse(CALLER, "point number " + std::to_string(s.points.size() - 1) +
                                    " has a coordinate that is not finite");

@@ -5,14 +5,13 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURE_GRAPH_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURE_GRAPH_H
 
+#include <CGAL/Inter_angle_remeshing/internal/Point_grid.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -86,6 +85,7 @@ private:
   static constexpr double LEAST_STRONG_SHARE = 0.5, LARGEST_BAD_SHARE = 0.25;
   static constexpr double BEND_COSINE = 0.7071067811865476;       // 45 degrees
   static constexpr double PARALLEL_DISTANCE = 0.35, PARALLEL_SHARE = 0.25;
+  static constexpr double JUNCTION_RADIUS = 1.5;       // in such distances, within which chains that meet are near each other
   static constexpr double ACUTE_COSINE = 0.9063077870366499;      // 25 degrees
 
   Index number_of(Index v)
@@ -135,6 +135,11 @@ private:
   bool is_fit(const std::vector<Index>& component) const;
   int free_ends(const std::vector<Index>& component) const;
   bool bends(Index v) const;
+  template <class Function>
+  void for_each_sample(const Vector3& a, const Vector3& b, const Function& function) const;
+  std::vector<Vector3> samples(const Chain& chain) const;
+  std::vector<std::pair<Index, Vector3>> first_edges(const Chain& chain) const;
+  bool runs_beside(const Chain& chain, const std::vector<Vector3>& samples, const Point_grid& others) const;
   void drop_parallel_chains();
 
   const Remeshing_mesh& mesh_;
@@ -238,45 +243,57 @@ inline int Feature_graph::free_ends(const std::vector<Index>& component) const
   return n;
 }
 
+// Calls `function(p)` for points on the segment from a to b that are less than the distance of parallel chains apart.
+template <class Function>
+void Feature_graph::for_each_sample(const Vector3& a, const Vector3& b, const Function& function) const
+{
+  constexpr double SPACING = 0.4;          // of that distance
+  const int n = (std::max)(1, int(std::ceil(internal::length(b - a) / (SPACING * PARALLEL_DISTANCE * length_))));
+  for (int i = 0; i < n; ++i) function(a + ((i + 0.5) / n) * (b - a));
+}
+
+inline std::vector<Vector3> Feature_graph::samples(const Chain& chain) const
+{
+  std::vector<Vector3> result;
+  for (const Index e : chain.edges)
+    for_each_sample(position(edges_[e].ends[0]), position(edges_[e].ends[1]), [&](const Vector3& p) { result.push_back(p); });
+  return result;
+}
+
+// The first edges of a chain at its ends: vertex and direction.
+inline std::vector<std::pair<Feature_graph::Index, Vector3>> Feature_graph::first_edges(const Chain& chain) const
+{
+  std::vector<std::pair<Index, Vector3>> result;
+  for (const Index e : chain.edges)
+    for (const Index v : edges_[e].ends)
+      if (v == chain.ends[0] || v == chain.ends[1]) result.emplace_back(v, position(other_end(e, v)) - position(v));
+  return result;
+}
+
+// Whether more than a quarter of a chain runs beside `others`, not counting where it meets them.
+inline bool Feature_graph::runs_beside(const Chain& chain, const std::vector<Vector3>& samples, const Point_grid& others) const
+{
+  const double at_junction = JUNCTION_RADIUS * PARALLEL_DISTANCE * length_;
+  std::size_t looked_at = 0, beside = 0;
+  for (const Vector3& p : samples) {
+    const bool is_at_junction = std::any_of(chain.ends.begin(), chain.ends.end(), [&](Index v) {
+      return v >= 0 && degree(v) > 1 && squared_distance(position(v), p) < at_junction * at_junction; });
+    if (is_at_junction) continue;
+    ++looked_at;
+    beside += others.has_near(p);
+  }
+  return double(beside) > PARALLEL_SHARE * double(looked_at);
+}
+
 // Strongest first, chains are accepted unless they run beside an accepted one or the border, or leave a vertex in nearly
 // the same direction as an accepted one.
 inline void Feature_graph::drop_parallel_chains()
 {
-  const double distance = PARALLEL_DISTANCE * length_;
-  using Cell = std::array<std::int64_t, 3>;
-  struct Hash
-  {
-    std::size_t operator()(const Cell& c) const
-    {
-      return std::size_t(c[0]) * 73856093u ^ std::size_t(c[1]) * 19349663u ^ std::size_t(c[2]) * 83492791u;
-    }
-  };
-  std::unordered_map<Cell, std::vector<Vector3>, Hash> accepted;
-  const auto cell_of = [&](const Vector3& p) {
-    return Cell{std::int64_t(std::floor(p.x / distance)), std::int64_t(std::floor(p.y / distance)),
-                std::int64_t(std::floor(p.z / distance))};
-  };
-  const auto is_beside_accepted = [&](const Vector3& p) {
-    const Cell c = cell_of(p);
-    for (int i = -1; i <= 1; ++i)
-      for (int j = -1; j <= 1; ++j)
-        for (int k = -1; k <= 1; ++k) {
-          const auto found = accepted.find(Cell{c[0] + i, c[1] + j, c[2] + k});
-          if (found == accepted.end()) continue;
-          for (const Vector3& q : found->second)
-            if (squared_distance(p, q) < distance * distance) return true;
-        }
-    return false;
-  };
-  const auto for_each_sample = [&](const Vector3& a, const Vector3& b, const auto& function) {
-    const int n = (std::max)(1, int(std::ceil(internal::length(b - a) / (0.4 * distance))));
-    for (int i = 0; i < n; ++i) function(a + ((i + 0.5) / n) * (b - a));
-  };
-  const auto accept = [&](const Vector3& p) { accepted[cell_of(p)].push_back(p); };
-
+  Point_grid accepted(PARALLEL_DISTANCE * length_);
   for (Index h = 0; h < 4 * Index(mesh_.number_of_face_slots()); ++h)
     if (mesh_.corner(h) < 3 && mesh_.is_border(h))
-      for_each_sample(mesh_.position(mesh_.origin(h)), mesh_.position(mesh_.target(h)), accept);
+      for_each_sample(mesh_.position(mesh_.origin(h)), mesh_.position(mesh_.target(h)),
+                      [&](const Vector3& p) { accepted.insert(p); });
 
   const std::vector<Chain> all = chains();
   std::vector<std::pair<double, std::size_t>> order;          // the strongest first, of equal ones the first
@@ -285,32 +302,15 @@ inline void Feature_graph::drop_parallel_chains()
   std::vector<std::vector<Vector3>> directions(vertices_.size());     // of accepted chains
   for (const auto& entry : order) {
     const Chain& chain = all[entry.second];
-    std::vector<std::pair<Index, Vector3>> leaving;
-    for (const Index e : chain.edges)
-      for (const Index v : edges_[e].ends)
-        if (v == chain.ends[0] || v == chain.ends[1]) leaving.emplace_back(v, position(other_end(e, v)) - position(v));
-    const bool is_acute = std::any_of(leaving.begin(), leaving.end(), [&](const auto& l) {
-      return std::any_of(directions[l.first].begin(), directions[l.first].end(), [&](const Vector3& d) {
-        return is_cosine_at_least(d, l.second, ACUTE_COSINE); });
+    const std::vector<std::pair<Index, Vector3>> first = first_edges(chain);
+    const std::vector<Vector3> points = samples(chain);
+    const bool is_acute = std::any_of(first.begin(), first.end(), [&](const auto& f) {
+      return std::any_of(directions[f.first].begin(), directions[f.first].end(), [&](const Vector3& d) {
+        return is_cosine_at_least(d, f.second, ACUTE_COSINE); });
     });
-    // Where chains meet, they are near each other.
-    const auto is_at_junction = [&](const Vector3& p) {
-      return std::any_of(chain.ends.begin(), chain.ends.end(), [&](Index v) {
-        return v >= 0 && degree(v) > 1 && squared_distance(position(v), p) < 2.25 * distance * distance; });
-    };
-    std::vector<Vector3> samples;
-    for (const Index e : chain.edges)
-      for_each_sample(position(edges_[e].ends[0]), position(edges_[e].ends[1]), [&](const Vector3& p) { samples.push_back(p); });
-    std::size_t looked_at = 0, beside = 0;
-    if (!is_acute)
-      for (const Vector3& p : samples) {
-        if (is_at_junction(p)) continue;
-        ++looked_at;
-        beside += is_beside_accepted(p);
-      }
-    if (is_acute || double(beside) > PARALLEL_SHARE * double(looked_at)) { drop(chain.edges); continue; }
-    for (const auto& [v, d] : leaving) directions[v].push_back(d);
-    for (const Vector3& p : samples) accept(p);
+    if (is_acute || runs_beside(chain, points, accepted)) { drop(chain.edges); continue; }
+    for (const auto& [v, d] : first) directions[v].push_back(d);
+    for (const Vector3& p : points) accepted.insert(p);
   }
 }
 

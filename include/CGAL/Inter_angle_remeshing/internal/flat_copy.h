@@ -8,9 +8,9 @@
 #include <CGAL/Inter_angle_remeshing/internal/Descriptor_index.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
+#include <CGAL/Inter_angle_remeshing/internal/to_vector3.h>
 
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -214,8 +214,7 @@ private:
 
   Vector3 read_point(vertex_descriptor v) const
   {
-    const auto& p = get(vpm_, v);
-    const Vector3 q{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+    const Vector3 q = to_vector3(get(vpm_, v));
     if (!is_finite(q))
       refuse(caller_, "vertex number " + std::to_string(copy_.vertices.size() - 1) +
                       " of the range has a coordinate that is not finite");

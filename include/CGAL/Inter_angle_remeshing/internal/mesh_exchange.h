@@ -9,7 +9,6 @@
 #include <CGAL/Inter_angle_remeshing/internal/flat_copy.h>
 
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -257,18 +256,12 @@ private:
     for (Index v = 0; v < Index(vertex_of_.size()); ++v) {
       if (mesh.input(v) >= 0) {
         const Point_3 old = get(vpm_, vertex_of_[v]);
-        if (mesh.position(v) == (1 / mesh.unit()) * as_vector(old)) continue;
+        if (mesh.position(v) == (1 / mesh.unit()) * to_vector3(old)) continue;
         old_points_.emplace_back(vertex_of_[v], old);
       }
       const Vector3 p = mesh.unit() * mesh.position(v);
       put(vpm_, vertex_of_[v], Point_3(p.x, p.y, p.z));
     }
-  }
-
-  template <class Point>
-  static Vector3 as_vector(const Point& p)
-  {
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
   }
 
   void remove_the_rest()

@@ -7,10 +7,9 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Mls_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/Reference_surface.h>
-#include <CGAL/Inter_angle_remeshing/internal/Vector3.h>
+#include <CGAL/Inter_angle_remeshing/internal/to_vector3.h>
 
 #include <CGAL/exceptions.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -37,7 +36,7 @@ inline Vector3 to_finite_vector(const Vector3& v)
 template <class Point_3>
 Vector3 to_finite_vector(const Point_3& p)
 {
-  return to_finite_vector(Vector3{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+  return to_finite_vector(to_vector3(p));
 }
 
 // Onto the surface near the hint: the closest point on its facets, a point of the MLS surface over them, or one in

@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/flat_copy.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 #include <CGAL/Inter_angle_remeshing/internal/space_filling_order.h>
+#include <CGAL/Inter_angle_remeshing/internal/to_vector3.h>
 
 #include <CGAL/tags.h>
 
@@ -23,12 +24,6 @@ Flat_copy<TriangleMesh> copy_whole_surface(const TriangleMesh& tmesh, VertexPoin
   if (copy.faces.empty()) refuse(caller, "the mesh has no face");
   copy.mesh.template renumber<CGAL::Sequential_tag>(morton_order(copy.mesh));
   return copy;
-}
-
-template <class Triple>
-Vector3 to_vector3(const Triple& t)
-{
-  return {CGAL::to_double(t.x()), CGAL::to_double(t.y()), CGAL::to_double(t.z())};
 }
 
 } // namespace internal
