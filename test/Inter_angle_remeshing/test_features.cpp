@@ -475,9 +475,22 @@ void grading_mends_small_details()
   recipe.grading = -1;
   CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing(faces(uniform), length, uniform, IAR::recipe(recipe)),
                          CGAL::Precondition_exception, "grading");
-  Mesh counted = input;
-  IAR::isotropic_remeshing(IAR::Face_count(8000), counted);
-  CHECK_MESSAGE(counted.number_of_faces() > 8000 / 1.5 && counted.number_of_faces() < 8000 * 1.5, counted.number_of_faces());
+}
+
+// A wanted number of faces is met although grading and strips add some: measured -10 to +12% where it is at least that of
+// the input, which has to keep its features.
+void a_count_is_met_in_spite_of_grading()
+{
+  for(const auto& [name, count] : std::vector<std::pair<std::string, std::size_t>>{
+        {"spool", 8000}, {"rotor", 4800}, {"anchor_dense", 7600}, {"fandisk", 13000}, {"joint", 4500}})
+  {
+    Mesh m = read(name);
+    if(meshes::is_small_run() && m.number_of_faces() > 1300)
+      continue;
+    IAR::isotropic_remeshing(IAR::Face_count(count), m);
+    const double ratio = double(m.number_of_faces()) / double(count);
+    CHECK_MESSAGE(ratio > .85 && ratio < 1.15, name << ": " << ratio);
+  }
 }
 
 int main()
@@ -495,5 +508,6 @@ int main()
   rims_stay_closed_and_become_round();
   borders_have_good_angles();
   grading_mends_small_details();
+  a_count_is_met_in_spite_of_grading();
   return result();
 }

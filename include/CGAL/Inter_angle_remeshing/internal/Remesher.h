@@ -251,6 +251,14 @@ void Remesher<ConcurrencyTag, Context>::steer_to_face_count(double first_target_
   static constexpr double NEAR = 1.3;
   if (schedule_.wanted_faces == 0 || report_.iterations == 0 || is_late()) return;
   const double ratio = double(mesh_.number_of_live_faces()) / double(schedule_.wanted_faces);
+  if (context_.grading_rate > 0) {
+    // What grading and strips add, no table knows. Once the mesh has settled, the length takes it back step by step.
+    constexpr unsigned FIRST_STEP = 3;
+    constexpr double SMALLEST_STEP = 0.7, LARGEST_STEP = 1.6;
+    if (report_.iterations >= FIRST_STEP)
+      context_.target_length *= (std::max)(SMALLEST_STEP, (std::min)(LARGEST_STEP, std::sqrt(ratio)));
+    return;
+  }
   is_refined_ = is_refined_ || ratio < 1 / NEAR;
   if (is_refined_ || ratio > NEAR || ++steerings_ < 2) return;
   const double expected = 1.01 * double(schedule_.wanted_faces) * EXCESS[(std::min)(steerings_ - 1, SIZE - 1)];
