@@ -42,17 +42,20 @@ private:
   struct Curve
   {
     std::size_t begin, end;          // of its points
+    double length;
     bool is_closed;                  // its last point is its first one again
   };
 
   struct Bend { Vector3 at_begin, at_end; };
 
   void follow(Remeshing_mesh& mesh, Index v, Index h, std::vector<char>& is_passed);
-  double length(const Curve& c) const { return arc_length_[c.end - 1]; }
+  std::size_t guide_cell(const Curve& c, double t) const;
+  std::size_t first_point_beyond(const Curve& c, double t) const;
 
   std::vector<Curve> curves_;
   std::vector<Vector3> points_;
   std::vector<double> arc_length_;   // by point, from the begin of its curve
+  std::vector<std::size_t> guide_;   // a curve of n points is cut into n equal cells: the first point beyond where each begins
   std::vector<Index> halfedge_;      // by point: of the segment that ends there, a border side perhaps
   std::vector<Bend> bends_;          // by point: of that segment; empty: segments are straight
 };
@@ -104,15 +107,34 @@ inline void Input_curves::follow(Remeshing_mesh& mesh, Index v, Index h, std::ve
     if (u == v) { is_closed = true; break; }
     k = following;
   }
-  curves_.push_back({begin, points_.size(), is_closed});
+  curves_.push_back({begin, points_.size(), arc_length_.back(), is_closed});
+  const Curve& c = curves_.back();
+  guide_.resize(points_.size());
+  std::size_t cell = begin;
+  for (std::size_t i = begin + 1; i < c.end; ++i)
+    for (const std::size_t beyond = i + 1 < c.end ? guide_cell(c, arc_length_[i]) : c.end; cell < beyond; ++cell) guide_[cell] = i;
+}
+
+inline std::size_t Input_curves::guide_cell(const Curve& c, double t) const
+{
+  const std::size_t n = c.end - c.begin;
+  return t > 0 ? c.begin + (std::min)(n - 1, std::size_t((std::min)(1., t / c.length) * double(n))) : c.begin;
+}
+
+// The first point, of those behind the first one of the curve, that lies beyond t; the last one if none does.
+inline std::size_t Input_curves::first_point_beyond(const Curve& c, double t) const
+{
+  std::size_t i = guide_[guide_cell(c, t)];
+  while (i > c.begin + 1 && arc_length_[i - 1] > t) --i;
+  while (i + 1 < c.end && !(arc_length_[i] > t)) ++i;
+  return i;
 }
 
 inline Vector3 Input_curves::point(Index curve, double t) const
 {
   const Curve& c = curves_[curve];
-  if (c.is_closed && length(c) > 0) t -= std::floor(t / length(c)) * length(c);
-  const double *first = arc_length_.data() + c.begin, *last = arc_length_.data() + c.end;
-  const std::size_t i = c.begin + std::size_t(std::upper_bound(first + 1, last - 1, t) - first);
+  if (c.is_closed && (t < 0 || t >= c.length) && c.length > 0) t -= std::floor(t / c.length) * c.length;
+  const std::size_t i = first_point_beyond(c, t);
   const double l = arc_length_[i] - arc_length_[i - 1];
   const double u = l > 0 ? (std::min)(1., (std::max)(0., (t - arc_length_[i - 1]) / l)) : 0.;
   const Vector3 straight = (1 - u) * points_[i - 1] + u * points_[i];
@@ -135,12 +157,10 @@ inline double Input_curves::deviation(Index curve, double s, double t, Vector3 p
 {
   if (s > t) { std::swap(s, t); std::swap(p, q); }
   const Curve& c = curves_[curve];
-  const double period = c.is_closed ? length(c) : 0;
+  const double period = c.is_closed ? c.length : 0;
   double turns = period > 0 ? std::floor(s / period) * period : 0.;
-  const double* first = arc_length_.data();
-  std::size_t i = std::size_t(std::upper_bound(first + c.begin, first + c.end, s - turns) - first);
   double largest = 0;
-  for (;; ++i) {
+  for (std::size_t i = first_point_beyond(c, s - turns);; ++i) {
     if (i == c.end) {
       if (!(period > 0)) break;
       turns += period;

@@ -85,7 +85,7 @@ private:
     context_.visitor.start_iteration(i, mesh_);
     if (split_and_collapse() > 0 && is_late()) refine();
     order_elements();
-    for (unsigned round = 0; round < flip_rounds() && goes_on(); ++round) flip();
+    flip(flip_rounds(), recipe_.glide_depth > 0 && (report_.iterations >= FIRST_GLIDES || is_late()));
     if (goes_on()) relax();
     context_.visitor.end_iteration(i, mesh_);
     ++report_.iterations;
@@ -103,8 +103,7 @@ private:
   void refine()
   {
     for (int round = halvings_to_do(); round > 0 && goes_on() && halvings_to_do() > 0; --round) {
-      if (!is_never(context_.flip_policy))
-        run_pass(Pass::flip, report_.flips, [&]() { return flip_pass<ConcurrencyTag>(context_); });
+      flip(1, false);
       if (goes_on()) relax(recipe_.sweeps, Pull_back::after_last_sweep);
       if (split_and_collapse() == 0) return;
     }
@@ -133,12 +132,17 @@ private:
         for (const Remeshing_mesh::Index h : edges_out_of<ConcurrencyTag>(mesh_, low, high))
           (mesh_.squared_edge_length(h) < low ? short_edges : long_edges).push_back(h);
       } else {
-        short_edges = edges_where<ConcurrencyTag>(mesh_, [&](Remeshing_mesh::Index h) {
-          return low > 0 && mesh_.squared_edge_length(h) < context_.squared_shortness_limit(mesh_.origin(h), mesh_.target(h));
-        });
-        long_edges = edges_where<ConcurrencyTag>(mesh_, [&](Remeshing_mesh::Index h) {
-          return high < inf && mesh_.squared_edge_length(h) > context_.squared_length_limit(mesh_.origin(h), mesh_.target(h));
-        });
+        const auto scale = [&](Remeshing_mesh::Index h) {
+          const double part = context_.grading.part(mesh_.origin(h), mesh_.target(h));
+          return part * part;
+        };
+        const auto is_too_short = [&](Remeshing_mesh::Index h) { return mesh_.squared_edge_length(h) < low * scale(h); };
+        const auto is_out_of_limits = [&](Remeshing_mesh::Index h) {
+          const double l = mesh_.squared_edge_length(h), s = scale(h);
+          return l < low * s || l > high * s;
+        };
+        for (const Remeshing_mesh::Index h : edges_where<ConcurrencyTag>(mesh_, is_out_of_limits))
+          (is_too_short(h) ? short_edges : long_edges).push_back(h);
       }
       return splits = split_pass<ConcurrencyTag>(context_, long_edges, short_edges);
     });
@@ -147,12 +151,16 @@ private:
     return splits;
   }
 
-  void flip()
+  // Flips, and glides perhaps, by turns.
+  void flip(unsigned rounds, bool does_glide)
   {
     if (is_never(context_.flip_policy)) return;
-    run_pass(Pass::flip, report_.flips, [&]() { return flip_pass<ConcurrencyTag>(context_); });
-    if (goes_on() && recipe_.glide_depth > 0 && (report_.iterations >= FIRST_GLIDES || is_late()))
-      run_pass(Pass::glide, report_.glides, [&]() { return glide_pass<ConcurrencyTag>(context_); });
+    measure_sectors<ConcurrencyTag>(mesh_);
+    for (unsigned round = 0; round < rounds && goes_on(); ++round) {
+      run_pass(Pass::flip, report_.flips, [&]() { return flip_pass<ConcurrencyTag>(context_); });
+      if (goes_on() && does_glide)
+        run_pass(Pass::glide, report_.glides, [&]() { return glide_pass<ConcurrencyTag>(context_); });
+    }
   }
 
   void relax()
@@ -187,8 +195,7 @@ private:
   {
     if (context_.target_length > 0 && !is_never(context_.collapse_policy))
       run_pass(Pass::clean_up, report_.collapses, [&]() { return clean_up_pass<ConcurrencyTag>(context_); });
-    if (goes_on() && !is_never(context_.flip_policy))
-      run_pass(Pass::flip, report_.flips, [&]() { return flip_pass<ConcurrencyTag>(context_); });
+    if (goes_on()) flip(1, false);
     if (goes_on() && recipe_.sweeps > 0) relax(CLEAN_UP_SWEEPS, Pull_back::after_last_sweep);
     std::size_t moves = 0;
     if (goes_on() && recipe_.sweeps > 0)

@@ -85,36 +85,34 @@ void flip(Context& context, Remeshing_mesh::Index h)
   context.visitor.after_flip(Mesh_halfedge(mesh.next(h)), mesh);
 }
 
-// Half-edges whose flip would pay: it takes an edge from a vertex of too many, or gives one to a vertex that lacks
-// two and whose neighbors across have none too few. At a curve each of the sectors may have too many or too few.
+// Half-edges whose flip would pay: it takes an edge from a vertex of too many, or gives one to a vertex that lacks two. At a
+// curve each of the sectors may have too many or too few.
 inline void find_paying_flips(const Remeshing_mesh& mesh, Remeshing_mesh::Index v,
                               std::vector<Remeshing_mesh::Index>& found)
 {
   using Index = Remeshing_mesh::Index;
-  const int deviation = mesh.deviation(v);
-  const auto pays = [&](Index h) { return !mesh.is_on_curve_edge(h) && flip_gain(mesh, h) < 0; };
+  const auto look_at = [&](Index h) { if (!mesh.is_on_curve_edge(h) && flip_gain(mesh, h) < 0) found.push_back(h); };
   if (mesh.is_on_curve(v))
-    mesh.for_each_around(v, [&](Index h) {
-      for (const Index e : {h, mesh.next(h)})
-        if (pays(e)) found.push_back(e);
+    for_each_sector(mesh, v, [&](Index h, int faces, int deviation) {
+      if (deviation > -2 && deviation < 1) return;
+      for (; faces > 0; --faces, h = mesh.rotate_ccw(h)) look_at(deviation >= 1 ? h : mesh.next(h));
     });
-  else if (deviation >= 1)
-    mesh.for_each_around(v, [&](Index h) { if (pays(h)) found.push_back(h); });
-  else if (deviation <= -2)
-    mesh.for_each_around(v, [&](Index h) {
+  else if (mesh.deviation(v) >= 1)
+    mesh.for_each_around(v, look_at);
+  else if (mesh.deviation(v) <= -2)
+    mesh.for_each_around(v, [&](Index h) {       // an end with too many edges finds it by itself
       const Index e = mesh.next(h);
-      if (mesh.deviation(mesh.origin(e)) <= 0 && mesh.deviation(mesh.target(e)) <= 0 && pays(e)) found.push_back(e);
+      if (mesh.deviation(mesh.origin(e)) <= 0 && mesh.deviation(mesh.target(e)) <= 0) look_at(e);
     });
 }
 
-// Returns the number of flips.
+// Returns the number of flips. The sectors have been measured.
 template <class ConcurrencyTag, class Context>
 std::size_t flip_pass(Context& context)
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
   std::vector<Index> candidates;
-  measure_sectors<ConcurrencyTag>(mesh);
   scan_into<ConcurrencyTag>(candidates, mesh.number_of_vertex_slots(), [&](std::size_t v, std::vector<Index>& found) {
     if (mesh.is_vertex(Index(v))) find_paying_flips(mesh, Index(v), found);
   });

@@ -100,7 +100,7 @@ inline bool is_dislocation(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
   return !mesh.is_on_curve_edge(h) && sector_deviation(mesh, h) >= 1 && sector_deviation(mesh, mesh.opposite(h)) <= -1;
 }
 
-// Returns the number of glides.
+// Returns the number of glides. The sectors have been measured.
 template <class ConcurrencyTag, class Context>
 std::size_t glide_pass(Context& context)
 {

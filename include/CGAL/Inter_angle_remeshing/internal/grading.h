@@ -69,7 +69,7 @@ private:
   // The target is a little longer than the mean curve edge, and at least this part of the target of the run.
   static constexpr double CURVE_EDGE = 1.05, SMALLEST = 0.3;
   // A vertex whose part falls by less need not be looked at again.
-  static constexpr float NOTICEABLE = 1.001f;
+  static constexpr float NOTICEABLE = 1.01f;
 
   float part(Index v) const { return std::size_t(v) < part_.size() ? part_[v] : 1.f; }
 

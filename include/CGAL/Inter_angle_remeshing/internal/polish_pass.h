@@ -6,12 +6,11 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_POLISH_PASS_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/angle_energy.h>
+#include <CGAL/Inter_angle_remeshing/internal/arc_cosine.h>
 #include <CGAL/Inter_angle_remeshing/internal/curve_edges.h>
 #include <CGAL/Inter_angle_remeshing/internal/flip_pass.h>
-#include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/thin_angles.h>
-
-#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <array>
@@ -20,36 +19,12 @@
 #include <vector>
 
 // Moves vertices along the surface, and those on curves along these, until the angles around them lie within a band, as far
-// as that is possible: descent on the energy E = Σ (c - cos lo)₊² + (cos hi - c)₊² over the corner cosines c of a vertex's
-// star. What then is still bad beside a curve is flipped away, if a flip helps.
+// as that is possible: descent on the energy of each one's star, see angle_energy.h. What then is still bad beside a curve is
+// flipped away, if a flip helps.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
-
-class Angle_band
-{
-public:
-  // The bounds in degrees.
-  Angle_band(double lower, double upper)
-    : lower_cosine_(std::cos(lower * (CGAL_PI / 180))), upper_cosine_(std::cos(upper * (CGAL_PI / 180)))
-  {}
-
-  double energy(double corner_cosine) const
-  {
-    const double below = (std::max)(0., corner_cosine - lower_cosine_);
-    const double above = (std::max)(0., upper_cosine_ - corner_cosine);
-    return below * below + above * above;
-  }
-
-  double energy(const Vector3& a, const Vector3& b, const Vector3& c) const
-  {
-    return energy(corner_cosine(a, b, c)) + energy(corner_cosine(b, c, a)) + energy(corner_cosine(c, a, b));
-  }
-
-private:
-  double lower_cosine_, upper_cosine_;
-};
 
 template <class Context>
 class Polisher
@@ -59,7 +34,7 @@ class Polisher
   // Rounds over the vertices at hand, and how often one on a curve or beside it is looked at; what is not mended by then is
   // stuck, which beside curves is common.
   static constexpr int MAXIMUM_ROUNDS = 30, MAXIMUM_VISITS_AT_CURVES = 12;
-  // The longest step and the step of the difference quotients, in target lengths.
+  // The longest step, and half of the chord that stands for a curve's tangent, in target lengths.
   static constexpr double LONGEST_STEP = 0.15, DIFFERENCE = 1e-4;
   // A step goes beyond the zero of the energy's linear model, for E is quadratic there.
   static constexpr double STEP_FACTOR = 1.5;
@@ -132,9 +107,9 @@ private:
   {
     for (std::size_t f = 0; f < mesh_.number_of_face_slots(); ++f) {
       const Corner_table::Face& t = mesh_.face_record(Index(f));
-      if (t.vertex[0] < 0 || !(band(t.vertex[0], t.vertex[1], t.vertex[2])
-                                 .energy(mesh_.position(t.vertex[0]), mesh_.position(t.vertex[1]),
-                                         mesh_.position(t.vertex[2])) > 0)) continue;
+      if (t.vertex[0] < 0 || band(t.vertex[0], t.vertex[1], t.vertex[2])
+                               .holds(mesh_.position(t.vertex[0]), mesh_.position(t.vertex[1]), mesh_.position(t.vertex[2])))
+        continue;
       for (const Index v : t.vertex) queue(v);
     }
   }
@@ -144,102 +119,80 @@ private:
     return mesh_.is_on_curve(a) || mesh_.is_on_curve(b) || mesh_.is_on_curve(c) ? band_at_curves_ : band_;
   }
 
-  double energy(Index v, const Vector3& p) const
+  void read_star(Index v)
   {
-    double sum = 0;
-    mesh_.for_each_around(v, [&](Index h) {
-      const Index a = mesh_.target(h), b = mesh_.apex(h);
-      sum += band(v, a, b).energy(p, mesh_.position(a), mesh_.position(b));
+    const bool is_on_curve = mesh_.is_on_curve(v);
+    star_.read(mesh_, v, [&](Index u, Index w) -> const Angle_band& {
+      return is_on_curve || mesh_.is_on_curve(u) || mesh_.is_on_curve(w) ? band_at_curves_ : band_;
     });
-    return sum;
   }
 
-  // The squared sine of the smallest angle of the star if v lay at p.
-  double smallest_angle(Index v, const Vector3& p) const
+  // Whether the star is better with v at q, having the energy `enough` at most, and neither folds nor grows thin.
+  bool is_better(const Star_energy::Value& before, double enough, const Vector3& p, const Vector3& q) const
   {
-    double smallest = 1;
-    mesh_.for_each_around(v, [&](Index h) {
-      smallest = (std::min)(smallest, squared_sine_of_smallest_angle(p, mesh_.position(mesh_.target(h)),
-                                                                     mesh_.position(mesh_.apex(h))));
-    });
-    return smallest;
-  }
-
-  // The unit normal of the star; zero where it has none.
-  Vector3 star_normal(Index v) const
-  {
-    const Vector3 p = mesh_.position(v);
-    Vector3 sum;
-    mesh_.for_each_around(v, [&](Index h) {
-      sum += triangle_cross(p, mesh_.position(mesh_.target(h)), mesh_.position(mesh_.apex(h)));
-    });
-    const double l = internal::length(sum);
-    return l > 0 ? (1 / l) * sum : Vector3();
-  }
-
-  // The gradient of the energy in the tangent plane with this normal.
-  Vector3 gradient(Index v, double energy_here, const Vector3& normal) const
-  {
-    const Vector3 p = mesh_.position(v);
-    const Vector3 axis = std::abs(normal.x) < 0.6 ? Vector3{1, 0, 0} : Vector3{0, 1, 0};
-    Vector3 u = cross(normal, axis);
-    u = (1 / internal::length(u)) * u;
-    const Vector3 w = cross(normal, u);
-    const double d = DIFFERENCE * length_;
-    return ((energy(v, p + d * u) - energy_here) / d) * u + ((energy(v, p + d * w) - energy_here) / d) * w;
+    const Star_energy::Value after = star_.value(q);
+    return after.energy < enough && star_.keeps_orientation(p, q) &&
+           !makes_thin_angle(1 - before.largest_cosine * before.largest_cosine, 1 - after.largest_cosine * after.largest_cosine);
   }
 
   bool move(Index v)
   {
-    const double before = energy(v, mesh_.position(v));
-    if (!(before > 0)) return false;
-    const Vector3 normal = star_normal(v);
-    const Vector3 g = normal == Vector3() ? normal : gradient(v, before, normal);
+    read_star(v);
+    const Vector3 p = mesh_.position(v);
+    const Star_energy::Value before = star_.value(p);
+    if (!(before.energy > 0)) return false;
+    const Vector3 normal = star_.normal(p);
+    const double l = squared_length(normal);
+    if (!(l > 0)) return false;
+    Vector3 g = star_.gradient(p);
+    g = g - (dot(g, normal) / l) * normal;
     const double slope = internal::length(g);
     if (!(slope > 0)) return false;
-    double step = (std::min)(LONGEST_STEP * length_, STEP_FACTOR * before / slope);
+    double step = (std::min)(LONGEST_STEP * length_, STEP_FACTOR * before.energy / slope);
     for (int trial = 0; trial < TRIALS; ++trial, step *= BACKTRACK) {
       Index hint = mesh_.hint(v);
-      const Vector3 q = context_.projector(mesh_.position(v) - (step / slope) * g, hint);
-      if (!context_.projector.is_compatible(hint, normal) || !(energy(v, q) < before) ||
-          !keeps_orientation(mesh_, v, q) ||
-          makes_thin_angle(smallest_angle(v, mesh_.position(v)), smallest_angle(v, q))) continue;
-      mesh_.position(v) = q;
+      const Vector3 q = context_.projector(p - (step / slope) * g, hint);
+      if (!context_.projector.is_compatible(hint, normal) || !is_better(before, before.energy, p, q)) continue;
       mesh_.hint(v) = hint;
-      queue(v);
-      mesh_.for_each_neighbor(v, [&](Index u) { queue(u); });
+      place(v, q);
       return true;
     }
     return false;
   }
 
-  // The same along a curve.
+  void place(Index v, const Vector3& q)
+  {
+    mesh_.position(v) = q;
+    queue(v);
+    mesh_.for_each_neighbor(v, [&](Index u) { queue(u); });
+  }
+
+  // The same along a curve. The energy falls to one of the two sides.
   bool slide(Index v)
   {
+    read_star(v);
     const Vector3 p = mesh_.position(v);
-    const double before = energy(v, p);
-    if (!(before > 0)) return false;
+    const Star_energy::Value before = star_.value(p);
+    if (!(before.energy > 0)) return false;
     std::array<Index, 2> ends{};
     std::size_t n = 0;
     for_each_curve_halfedge(mesh_, v, [&](Index h) { if (n < 2) ends[n++] = mesh_.curve_end(h); });
     const Index curve = mesh_.curve_of(ends[0]);
-    const double t = mesh_.arc_length(ends[0]), d = DIFFERENCE * length_;
-    const auto at = [&](double shift) { return context_.curves.point(curve, t + shift); };
-    const double slope = (energy(v, at(d)) - energy(v, at(-d))) / (2 * d);
-    if (!(slope != 0)) return false;
+    const double t = mesh_.arc_length(ends[0]);
+    const Vector3 g = star_.gradient(p);
     double low = mesh_.arc_length(ends[0] ^ 1) - t, high = mesh_.arc_length(ends[1] ^ 1) - mesh_.arc_length(ends[1]);
     if (low > high) std::swap(low, high);
-    double step = (std::min)(LONGEST_STEP * length_, STEP_FACTOR * before / std::abs(slope));
+    const double d = DIFFERENCE * length_;
+    const double slope = dot(g, context_.curves.point(curve, t + d) - context_.curves.point(curve, t - d)) / (2 * d);
+    if (!(slope != 0)) return false;
+    double step = (std::min)(LONGEST_STEP * length_, STEP_FACTOR * before.energy / std::abs(slope));
     for (int trial = 0; trial < TRIALS; ++trial, step *= BACKTRACK) {
       const double shift = slope > 0 ? -step : step;
       if (!(shift > low / 2 && shift < high / 2)) continue;
-      const Vector3 q = at(shift);
-      if (!(energy(v, q) < ENOUGH * before) || !keeps_orientation(mesh_, v, q) ||
-          makes_thin_angle(smallest_angle(v, p), smallest_angle(v, q)) || leaves_curve(ends, shift, q)) continue;
-      mesh_.position(v) = q;
+      const Vector3 q = context_.curves.point(curve, t + shift);
+      if (!is_better(before, ENOUGH * before.energy, p, q) || leaves_curve(ends, shift, q)) continue;
       for (const Index end : ends) mesh_.arc_length(end) += shift;
-      queue(v);
-      mesh_.for_each_neighbor(v, [&](Index u) { queue(u); });
+      place(v, q);
       return true;
     }
     return false;
@@ -300,6 +253,7 @@ private:
   Remeshing_mesh& mesh_;
   double length_;
   Angle_band band_, band_at_curves_;
+  Star_energy star_;                     // of the vertex that is looked at
   std::vector<char> is_queued_, visits_;
   std::vector<Index> queue_;
 };

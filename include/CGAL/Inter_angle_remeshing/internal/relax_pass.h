@@ -99,9 +99,10 @@ private:
   Vector3 refresh_normal(std::size_t i);
   template <class Projector>
   void sweep(std::size_t begin, std::size_t end, unsigned number, const Projector& projector);
+  bool turns_face(std::size_t i, const Vector3& before, const Vector3& after) const;
   bool turns_no_face(std::size_t i, const Vector3& q) const;
+  bool keeps_faces(std::size_t i, const Vector3& q) const;
   double smallest_angle(std::size_t i, const Vector3& p) const;
-  bool makes_thin_face(std::size_t i, const Vector3& q) const;
   void take_step(std::size_t i, const Vector3& step);
   template <class Projector>
   void take_guarded_step(std::size_t i, const Vector3& step, const Projector& projector);
@@ -263,14 +264,36 @@ void Relaxation::sweep(std::size_t begin, std::size_t end, unsigned number, cons
 // Whether no face around vertex i turns by more than 60 degrees when the vertex moves to q, unless it turns towards
 // the normal of the star: a face that lies on its back, or a needle whose normal means little, may. A sliding vertex has
 // no such normal.
+inline bool Relaxation::turns_face(std::size_t i, const Vector3& before, const Vector3& after) const
+{
+  return !is_cosine_at_least(before, after, STEP_NORMAL_COSINE) && !turns_towards(before, after, normal_[i]);
+}
+
 inline bool Relaxation::turns_no_face(std::size_t i, const Vector3& q) const
 {
   const Vector3& p = data_.position[i];
   return data_.all_of_link(i, [&](Index u, Index v) {
     const Vector3 &a = data_.position[u], &b = data_.position[v];
-    const Vector3 before = triangle_cross(p, a, b), after = triangle_cross(q, a, b);
-    return is_cosine_at_least(before, after, STEP_NORMAL_COSINE) || turns_towards(before, after, normal_[i]);
+    return !turns_face(i, triangle_cross(p, a, b), triangle_cross(q, a, b));
   });
+}
+
+// Whether none of the faces around vertex i, which is on a curve or beside one, turns when the vertex moves to q, nor
+// grows thin.
+inline bool Relaxation::keeps_faces(std::size_t i, const Vector3& q) const
+{
+  const Vector3& p = data_.position[i];
+  double thinnest = THIN_SQUARED_SINE;
+  const bool turns_none = data_.all_of_link(i, [&](Index u, Index v) {
+    const Vector3 &a = data_.position[u], &b = data_.position[v];
+    const Vector3 after = triangle_cross(q, a, b);
+    if (turns_face(i, triangle_cross(p, a, b), after)) return false;
+    const double x = squared_distance(q, a), y = squared_distance(a, b), z = squared_distance(b, q),
+                 longest = (std::max)({x * y, y * z, z * x}), area = squared_length(after);
+    if (area < thinnest * longest) thinnest = area / longest;
+    return true;
+  });
+  return turns_none && (thinnest == THIN_SQUARED_SINE || !makes_thin_angle(smallest_angle(i, p), thinnest));
 }
 
 // The squared sine of the smallest angle of the faces around vertex i if it lay at p.
@@ -282,12 +305,6 @@ inline double Relaxation::smallest_angle(std::size_t i, const Vector3& p) const
     return true;
   });
   return smallest;
-}
-
-inline bool Relaxation::makes_thin_face(std::size_t i, const Vector3& q) const
-{
-  const double after = smallest_angle(i, q);
-  return after < THIN_SQUARED_SINE && makes_thin_angle(smallest_angle(i, data_.position[i]), after);
 }
 
 BOOST_FORCEINLINE void Relaxation::take_step(std::size_t i, const Vector3& step)
@@ -310,8 +327,8 @@ void Relaxation::take_guarded_step(std::size_t i, const Vector3& step, const Pro
   for (int trial = 0; trial < STEP_TRIALS; ++trial, factor /= 2) {
     Index hint = data_.hint[i];
     const Vector3 q = projector(data_.position[i] + factor * step, hint);
-    if (!projector.is_compatible(hint, normal_[i]) || !turns_no_face(i, q)) continue;
-    if (data_.mobility[i] == Mobility::guarded && makes_thin_face(i, q)) continue;
+    if (!projector.is_compatible(hint, normal_[i])) continue;
+    if (!(data_.mobility[i] == Mobility::guarded ? keeps_faces(i, q) : turns_no_face(i, q))) continue;
     data_.position[i] = q;
     data_.hint[i] = hint;
     return;
@@ -350,7 +367,7 @@ inline void Relaxation::slide(std::size_t i)
   double shift = (std::min)(LONGEST_SLIDE * high, (std::max)(LONGEST_SLIDE * low, wanted));
   for (int trial = 0; trial < STEP_TRIALS; ++trial, shift /= 2) {
     const Vector3 q = curves_.point(curve, t + shift);
-    if (!turns_no_face(i, q) || makes_thin_face(i, q)) continue;
+    if (!keeps_faces(i, q)) continue;
     const double deviation = chord_deviation(i, shift, q);
     if (deviation > curve_tolerance_ && deviation > chord_deviation(i, 0, p)) continue;
     data_.position[i] = q;

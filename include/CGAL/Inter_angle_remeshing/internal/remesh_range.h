@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/Face_count.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remesher.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
+#include <CGAL/Inter_angle_remeshing/internal/corners.h>
 #include <CGAL/Inter_angle_remeshing/internal/feature_detection.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh_exchange.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
@@ -406,7 +407,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
                    parameters.face_patch_map, parameters.constraint_settings);
   const double mean_length = total_length / (1.5 * double(exchange.input_faces().size()));
   const Input_kind kind = find_and_mark_features(exchange.mesh(), (std::max)(target, mean_length), parameters);
-  lock_corners(exchange.mesh());
+  lock_corners(exchange.mesh(), kind.is_cad ? 0. : target);    // designed curves are not jagged
   const auto patches = read_patches(parameters.face_patch_map, exchange.input_faces());
   Remeshing_mesh mesh = exchange.take_mesh();
   mesh.renumber<ConcurrencyTag>(morton_order(mesh));

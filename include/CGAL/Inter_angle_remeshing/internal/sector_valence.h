@@ -61,6 +61,25 @@ inline int sector_deviation(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
   return mesh.is_on_curve(mesh.origin(h)) ? deviation_on_curve(mesh, h) : mesh.deviation(mesh.origin(h));
 }
 
+// Calls `function(h, faces, deviation)` for the sectors of v, a vertex on a curve: h is the half-edge with which one begins,
+// counterclockwise.
+template <class Function>
+void for_each_sector(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, const Function& function)
+{
+  using Index = Remeshing_mesh::Index;
+  Index first = mesh.first(v);
+  int left = mesh.number_of_faces_around(v);
+  for (int k = 0; k < left && !mesh.is_on_curve_edge(first); ++k) first = mesh.rotate_ccw(first);
+  while (left > 0) {
+    int faces = 1;
+    Index h = first;
+    for (; faces < left && !mesh.is_on_curve_edge(mesh.prev(h)); ++faces) h = mesh.rotate_ccw(h);
+    function(first, faces, mesh.has_place(first) ? faces - mesh.regular_faces(mesh.curve_end(first)) : mesh.deviation(v));
+    left -= faces;
+    first = mesh.rotate_ccw(h);
+  }
+}
+
 } // namespace internal
 } // namespace Inter_angle_remeshing
 } // namespace CGAL

@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_ANGLE_ENERGY_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_ANGLE_ENERGY_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+// How far the angles around a vertex are out of a band: E = Σ (c - cos lo)₊² + (cos hi - c)₊² over the corner cosines c of
+// the vertex's star, with its gradient.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+class Angle_band
+{
+public:
+  // The bounds in degrees; 60 degrees lie between them.
+  Angle_band(double lower, double upper)
+    : lower_cosine_(std::cos(lower * (CGAL_PI / 180))), upper_cosine_(std::cos(upper * (CGAL_PI / 180)))
+  {}
+
+  double energy(double corner_cosine) const
+  {
+    const double below = (std::max)(0., corner_cosine - lower_cosine_), above = (std::max)(0., upper_cosine_ - corner_cosine);
+    return below * below + above * above;
+  }
+  double derivative(double corner_cosine) const
+  {
+    return 2 * ((std::max)(0., corner_cosine - lower_cosine_) - (std::max)(0., upper_cosine_ - corner_cosine));
+  }
+
+  // Whether the angles of the triangle abc lie within the band; by the law of cosines and without a root.
+  bool holds(const Vector3& a, const Vector3& b, const Vector3& c) const
+  {
+    std::array<double, 3> l = {squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)};
+    if (l[0] > l[1]) std::swap(l[0], l[1]);
+    if (l[1] > l[2]) std::swap(l[1], l[2]);
+    if (l[0] > l[1]) std::swap(l[0], l[1]);
+    const double smallest = l[1] + l[2] - l[0], largest = l[0] + l[1] - l[2];   // cosines times the edges beside, twice
+    const double bound = 4 * upper_cosine_ * upper_cosine_ * l[0] * l[1];
+    return smallest * smallest <= 4 * lower_cosine_ * lower_cosine_ * l[1] * l[2] &&
+           (upper_cosine_ >= 0 ? largest >= 0 && largest * largest >= bound : largest >= 0 || largest * largest <= bound);
+  }
+
+private:
+  double lower_cosine_, upper_cosine_;
+};
+
+// The star of a vertex that moves while its link stays.
+class Star_energy
+{
+public:
+  using Index = Remeshing_mesh::Index;
+
+  struct Value
+  {
+    double energy;
+    double largest_cosine;     // of the smallest angle
+  };
+
+  // Reads the link of v; `band(u, w)` is the band of the face with the link edge uw.
+  template <class Band>
+  void read(const Remeshing_mesh& mesh, Index v, const Band& band)
+  {
+    ring_.clear();
+    link_.clear();
+    Index last = -1;
+    mesh.for_each_around(v, [&](Index h) {
+      const Index u = mesh.target(h), w = mesh.apex(h);
+      const Vector3 e = mesh.position(w) - mesh.position(u);
+      const double l = length(e);
+      ring_.push_back(mesh.position(u));
+      link_.push_back({l > 0 ? (1 / l) * e : Vector3(), &band(u, w)});
+      last = w;
+    });
+    is_closed_ = !mesh.is_border_vertex(v);
+    if (last >= 0) ring_.push_back(mesh.position(last));     // the first one again where the link is closed
+    spoke_.resize(ring_.size());
+    inverse_length_.resize(ring_.size());
+    slope_.resize(ring_.size());
+  }
+
+  // If v lay at p.
+  Value value(const Vector3& p) const
+  {
+    set_spokes(p);
+    Value result{0, -1};
+    for (std::size_t k = 0; k < link_.size(); ++k)
+      for (const double c : corners(k)) {
+        result.energy += link_[k].band->energy(c);
+        result.largest_cosine = (std::max)(result.largest_cosine, c);
+      }
+    return result;
+  }
+
+  // The gradient there. A corner cosine is a product of unit vectors, two spokes or a spoke and a link edge; of these only the
+  // spokes s = (x - p) / |x - p| turn, by ds = -(I - s sᵀ) dp / |x - p|.
+  Vector3 gradient(const Vector3& p) const
+  {
+    set_spokes(p);
+    std::fill(slope_.begin(), slope_.end(), Vector3());
+    for (std::size_t k = 0; k < link_.size(); ++k) {
+      const std::array<double, 3> c = corners(k);
+      const Angle_band& band = *link_[k].band;
+      const double at_v = band.derivative(c[0]), at_u = band.derivative(c[1]), at_w = band.derivative(c[2]);
+      slope_[k] += at_v * spoke_[k + 1] - at_u * link_[k].direction;
+      slope_[k + 1] += at_v * spoke_[k] + at_w * link_[k].direction;
+    }
+    Vector3 result;
+    for (std::size_t k = 0; k < spoke_.size(); ++k)
+      result += inverse_length_[k] * (dot(slope_[k], spoke_[k]) * spoke_[k] - slope_[k]);
+    return result;
+  }
+
+  // The sum of the faces' cross products.
+  Vector3 normal(const Vector3& p) const
+  {
+    Vector3 sum;
+    for (std::size_t k = 0; k < link_.size(); ++k) sum += triangle_cross(p, ring_[k], ring_[k + 1]);
+    return sum;
+  }
+
+  // Whether no face turns by more than 60 degrees when v moves from p to q.
+  bool keeps_orientation(const Vector3& p, const Vector3& q) const
+  {
+    for (std::size_t k = 0; k < link_.size(); ++k)
+      if (!is_cosine_at_least(triangle_cross(p, ring_[k], ring_[k + 1]), triangle_cross(q, ring_[k], ring_[k + 1]), 0.5))
+        return false;
+    return true;
+  }
+
+private:
+  struct Link_edge
+  {
+    Vector3 direction;
+    const Angle_band* band;
+  };
+
+  void set_spokes(const Vector3& p) const
+  {
+    const std::size_t n = ring_.size() - (is_closed_ && !ring_.empty());
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vector3 x = ring_[k] - p;
+      const double l = length(x);
+      inverse_length_[k] = l > 0 ? 1 / l : 0;
+      spoke_[k] = inverse_length_[k] * x;
+    }
+    if (n == ring_.size()) return;
+    spoke_[n] = spoke_[0];
+    inverse_length_[n] = inverse_length_[0];
+  }
+
+  // The corner cosines of face k at v and at the two ends of its link edge; 1 beside an edge without length.
+  std::array<double, 3> corners(std::size_t k) const
+  {
+    const Vector3 &s = spoke_[k], &t = spoke_[k + 1], &e = link_[k].direction;
+    const bool has_s = inverse_length_[k] > 0, has_t = inverse_length_[k + 1] > 0, has_e = e != Vector3();
+    return {has_s && has_t ? dot(s, t) : 1, has_s && has_e ? -dot(s, e) : 1, has_t && has_e ? dot(t, e) : 1};
+  }
+
+  bool is_closed_ = true;
+  std::vector<Vector3> ring_;               // of the ends of link edges
+  std::vector<Link_edge> link_;             // from ring vertex k to k + 1
+  mutable std::vector<Vector3> spoke_;      // unit
+  mutable std::vector<double> inverse_length_;
+  mutable std::vector<Vector3> slope_;      // of the energy, by spoke
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_ANGLE_ENERGY_H

@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_CORNERS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_CORNERS_H
+
+#include <CGAL/Inter_angle_remeshing/internal/curves.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+// The corners of curves, which neither move nor go: ends, junctions, and turns.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// A chain of border or feature edges that turns by this angle or more has a corner there. (Cosine of 45 degrees.)
+constexpr double CORNER_COSINE = 0.7071067811865476;
+
+// The way from v over its curve neighbor u to the first vertex that does not lie where v does.
+struct Curve_arm
+{
+  Vector3 direction;
+  bool passes_locked = false;    // whether one of the vertices that lie where v does is locked
+};
+
+inline Curve_arm curve_arm(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, Remeshing_mesh::Index u)
+{
+  constexpr int MAXIMUM_STEPS = 64;
+  Curve_arm arm;
+  Remeshing_mesh::Index previous = v;
+  for (int step = 0; step < MAXIMUM_STEPS && mesh.position(u) == mesh.position(v); ++step) {
+    arm.passes_locked = arm.passes_locked || mesh.is_locked(u);
+    Remeshing_mesh::Index following = v;
+    int edges = 0;
+    for_each_curve_halfedge(mesh, u, [&](Remeshing_mesh::Index h) {
+      const Remeshing_mesh::Index w = mesh.source(mesh.opposite(h));
+      ++edges;
+      if (w != previous) following = w;
+    });
+    if (edges != 2 || following == v) break;
+    previous = u;
+    u = following;
+  }
+  arm.direction = mesh.position(u) - mesh.position(v);
+  return arm;
+}
+
+// How far a curve is followed from a vertex to see whether it turns there at the scale of the result, and how near, along a
+// curve, a sharper turn takes the place of another one; in target lengths.
+constexpr double CORNER_ARM = 0.5, CORNER_DISTANCE = 0.25;
+
+// Walks from v over its curve neighbor u, over vertices where the curve goes on, and at most as far as `reach`. Calls
+// `function(a, b)` for the vertices of each edge on the way, until it returns false.
+template <class Function>
+void walk_along_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, Remeshing_mesh::Index u, double reach,
+                      const Function& function)
+{
+  using Index = Remeshing_mesh::Index;
+  Index previous = v;
+  for (double way = 0; way < reach;) {
+    way += length(mesh.position(u) - mesh.position(previous));
+    if (!function(previous, u)) return;
+    Index following = v;
+    int edges = 0;
+    for_each_curve_halfedge(mesh, u, [&](Index h) {
+      const Index w = mesh.source(mesh.opposite(h));
+      ++edges;
+      if (w != previous) following = w;
+    });
+    if (edges != 2 || following == v) return;
+    previous = u;
+    u = following;
+  }
+}
+
+// The way from v, in a straight line, to where its curve over u has come after `reach`, or to its end before.
+inline Vector3 straight_arm(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, Remeshing_mesh::Index u, double reach)
+{
+  Vector3 end = mesh.position(v);
+  double left = reach;
+  walk_along_curve(mesh, v, u, reach, [&](Remeshing_mesh::Index a, Remeshing_mesh::Index b) {
+    const Vector3 step = mesh.position(b) - mesh.position(a);
+    const double l = length(step);
+    end = l > left ? mesh.position(a) + (left / l) * step : mesh.position(b);
+    left -= l;
+    return true;
+  });
+  return end - mesh.position(v);
+}
+
+// A vertex at which a curve turns.
+struct Turn
+{
+  Remeshing_mesh::Index vertex;
+  double cosine;                         // 1: straight on
+  Remeshing_mesh::Index neighbors[2];
+};
+
+inline double cosine_of_turn(const Vector3& arm, const Vector3& other_arm)
+{
+  const double product = length(arm) * length(other_arm);
+  return product > 0 ? -dot(arm, other_arm) / product : 1.;
+}
+
+// Locks the corners: where curves end or meet, where a constrained part of the border begins, and where a curve turns. Of
+// several vertices at a turn that lie in the same place, one is locked, so that the edges without length between them can go.
+// A length above 0 says that curves may be jagged: then those turns count that are turns at the scale of that length, too,
+// and the sharpest of several that are close together.
+inline void lock_corners(Remeshing_mesh& mesh, double scale)
+{
+  using Index = Remeshing_mesh::Index;
+  std::vector<Turn> turns;
+  std::vector<char> is_corner(mesh.number_of_vertex_slots(), 0);
+  for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
+    if (!mesh.is_on_curve(v)) continue;
+    int edges = 0, constrained = 0;
+    Curve_arm arms[2];
+    Turn turn{v, 1, {v, v}};
+    for_each_curve_halfedge(mesh, v, [&](Index h) {
+      const Index u = mesh.source(mesh.opposite(h));
+      if (edges < 2) {
+        arms[edges] = curve_arm(mesh, v, u);
+        turn.neighbors[edges] = u;
+      }
+      constrained += mesh.is_constrained(h < 0 ? ~h : h);
+      ++edges;
+    });
+    if (edges != 2 || constrained == 1) {
+      mesh.add_marks(v, Remeshing_mesh::LOCKED);
+      is_corner[v] = 1;
+      continue;
+    }
+    if (arms[0].passes_locked || arms[1].passes_locked ||
+        is_cosine_at_least(arms[0].direction, -1. * arms[1].direction, CORNER_COSINE)) continue;
+    if (!(scale > 0)) {
+      mesh.add_marks(v, Remeshing_mesh::LOCKED);
+      continue;
+    }
+    turn.cosine = cosine_of_turn(straight_arm(mesh, v, turn.neighbors[0], CORNER_ARM * scale),
+                                 straight_arm(mesh, v, turn.neighbors[1], CORNER_ARM * scale));
+    if (turn.cosine < CORNER_COSINE) turns.push_back(turn);
+  }
+  std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.cosine < b.cosine; });
+  for (const Turn& turn : turns) {
+    bool is_near_corner = false;
+    for (const Index u : turn.neighbors)
+      walk_along_curve(mesh, turn.vertex, u, CORNER_DISTANCE * scale, [&](Index a, Index b) {
+        is_near_corner = is_near_corner || is_corner[b];
+        return !is_near_corner && a != b;
+      });
+    if (is_near_corner) continue;
+    is_corner[turn.vertex] = 1;
+    mesh.add_marks(turn.vertex, Remeshing_mesh::LOCKED);
+  }
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_CORNERS_H
