@@ -393,7 +393,8 @@ inline bool Remeshing_mesh::is_collapse_legal(Index h) const
     for (const Index k : {h, g})
       if (k >= 0 && is_on_curve_edge(next(k)) && is_on_curve_edge(prev(k))) return false;
   }
-  if (is_border_vertex(a) && valence(a) == 2) return false;  // the tip of an ear: its face would go, and leave a border
+  // The face at the tip of an ear goes with it, and a protected edge of it would come to lie on the border.
+  if (is_border_vertex(a) && valence(a) == 2 && (is_protected(next(side)) || is_protected(prev(side)))) return false;
   const Index c = h >= 0 ? apex(h) : NO_VERTEX, d = g >= 0 ? apex(g) : NO_VERTEX;
   if (c == d) return false;
   for (const Index v : {c, d})

@@ -50,12 +50,12 @@ inline Curve_arm curve_arm(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, 
   return arm;
 }
 
-// How far a curve is followed from a vertex to see whether it turns there at the scale of the result, and how near, along a
-// curve, a sharper turn takes the place of another one; in target lengths.
-constexpr double CORNER_ARM = 0.5, CORNER_DISTANCE = 0.25;
+// How far a curve is followed from a vertex to see whether it turns there at the scale of the result, how near, along a
+// curve, a sharper turn may take the place of another one, and by how much the curve may leave that one out; in target lengths.
+constexpr double CORNER_ARM = 0.5, CORNER_DISTANCE = 0.35, CORNER_TOLERANCE = 0.1;
 
-// Walks from v over its curve neighbor u, over vertices where the curve goes on, and at most as far as `reach`. Calls
-// `function(a, b)` for the vertices of each edge on the way, until it returns false.
+// Walks from v over its curve neighbor u, over vertices where the curve goes on, until the way is `reach` or longer. Calls
+// `function(a, b, way)` for the vertices of each edge and the way to b, as long as it returns true.
 template <class Function>
 void walk_along_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, Remeshing_mesh::Index u, double reach,
                       const Function& function)
@@ -64,7 +64,7 @@ void walk_along_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, Remes
   Index previous = v;
   for (double way = 0; way < reach;) {
     way += length(mesh.position(u) - mesh.position(previous));
-    if (!function(previous, u)) return;
+    if (!function(previous, u, way)) return;
     Index following = v;
     int edges = 0;
     for_each_curve_halfedge(mesh, u, [&](Index h) {
@@ -82,12 +82,9 @@ void walk_along_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, Remes
 inline Vector3 straight_arm(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, Remeshing_mesh::Index u, double reach)
 {
   Vector3 end = mesh.position(v);
-  double left = reach;
-  walk_along_curve(mesh, v, u, reach, [&](Remeshing_mesh::Index a, Remeshing_mesh::Index b) {
-    const Vector3 step = mesh.position(b) - mesh.position(a);
-    const double l = length(step);
-    end = l > left ? mesh.position(a) + (left / l) * step : mesh.position(b);
-    left -= l;
+  walk_along_curve(mesh, v, u, reach, [&](Remeshing_mesh::Index a, Remeshing_mesh::Index b, double way) {
+    end = mesh.position(b);
+    if (way > reach) end += ((way - reach) / length(mesh.position(a) - end)) * (mesh.position(a) - end);
     return true;
   });
   return end - mesh.position(v);
@@ -99,6 +96,7 @@ struct Turn
   Remeshing_mesh::Index vertex;
   double cosine;                         // 1: straight on
   Remeshing_mesh::Index neighbors[2];
+  Vector3 arms[2];                       // straight ones, at the scale of the result
 };
 
 inline double cosine_of_turn(const Vector3& arm, const Vector3& other_arm)
@@ -115,12 +113,12 @@ inline void lock_corners(Remeshing_mesh& mesh, double scale)
 {
   using Index = Remeshing_mesh::Index;
   std::vector<Turn> turns;
-  std::vector<char> is_corner(mesh.number_of_vertex_slots(), 0);
+  std::vector<char> is_sharp_turn(mesh.number_of_vertex_slots(), 0);
   for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
     if (!mesh.is_on_curve(v)) continue;
     int edges = 0, constrained = 0;
     Curve_arm arms[2];
-    Turn turn{v, 1, {v, v}};
+    Turn turn{v, 1, {v, v}, {}};
     for_each_curve_halfedge(mesh, v, [&](Index h) {
       const Index u = mesh.source(mesh.opposite(h));
       if (edges < 2) {
@@ -132,7 +130,6 @@ inline void lock_corners(Remeshing_mesh& mesh, double scale)
     });
     if (edges != 2 || constrained == 1) {
       mesh.add_marks(v, Remeshing_mesh::LOCKED);
-      is_corner[v] = 1;
       continue;
     }
     if (arms[0].passes_locked || arms[1].passes_locked ||
@@ -141,20 +138,24 @@ inline void lock_corners(Remeshing_mesh& mesh, double scale)
       mesh.add_marks(v, Remeshing_mesh::LOCKED);
       continue;
     }
-    turn.cosine = cosine_of_turn(straight_arm(mesh, v, turn.neighbors[0], CORNER_ARM * scale),
-                                 straight_arm(mesh, v, turn.neighbors[1], CORNER_ARM * scale));
+    for (const int k : {0, 1}) turn.arms[k] = straight_arm(mesh, v, turn.neighbors[k], CORNER_ARM * scale);
+    turn.cosine = cosine_of_turn(turn.arms[0], turn.arms[1]);
     if (turn.cosine < CORNER_COSINE) turns.push_back(turn);
   }
   std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.cosine < b.cosine; });
   for (const Turn& turn : turns) {
-    bool is_near_corner = false;
-    for (const Index u : turn.neighbors)
-      walk_along_curve(mesh, turn.vertex, u, CORNER_DISTANCE * scale, [&](Index a, Index b) {
-        is_near_corner = is_near_corner || is_corner[b];
-        return !is_near_corner && a != b;
+    const Vector3& p = mesh.position(turn.vertex);
+    bool is_left_out = false;
+    for (const int k : {0, 1})
+      walk_along_curve(mesh, turn.vertex, turn.neighbors[k], CORNER_DISTANCE * scale, [&](Index, Index b, double way) {
+        if (!is_sharp_turn[b] || way >= CORNER_DISTANCE * scale) return true;
+        const double tolerance = CORNER_TOLERANCE * scale;
+        is_left_out = is_left_out ||
+                      squared_distance_to_segment(p, mesh.position(b), p + turn.arms[1 - k]) < tolerance * tolerance;
+        return false;
       });
-    if (is_near_corner) continue;
-    is_corner[turn.vertex] = 1;
+    if (is_left_out) continue;
+    is_sharp_turn[turn.vertex] = 1;
     mesh.add_marks(turn.vertex, Remeshing_mesh::LOCKED);
   }
 }
