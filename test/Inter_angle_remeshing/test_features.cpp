@@ -4,6 +4,7 @@
 // Curves: features that are marked or found, and borders. What is found; what stays, and where; what slides.
 
 #include <CGAL/Inter_angle_remeshing/Projection/Closest_point_projector.h>
+#include <CGAL/Inter_angle_remeshing/Projection/MLS_projector.h>
 #include <CGAL/Inter_angle_remeshing/detect_features.h>
 #include <CGAL/Inter_angle_remeshing/internal/angle_energy.h>
 #include <CGAL/Inter_angle_remeshing/internal/corners.h>
@@ -441,6 +442,31 @@ void rims_stay_closed_and_become_round()
   }
 }
 
+// A projector of the mesh itself keeps to the patches as the default does: without that, these models crossed themselves.
+void projectors_keep_to_their_patches()
+{
+  for(const auto& [name, factor] : std::vector<std::pair<std::string, double>>{{"part", .3}, {"rotor", .5}})
+  {
+    const Mesh input = read(name);
+    const double length = factor * mean_edge_length(input);
+    Mesh by_default = input, by_closest_point = input, by_mls = input;
+    const IAR::Closest_point_projector<Mesh> closest_point(input);
+    const IAR::MLS_projector<Mesh> mls(input);
+    const auto marked = [&](Mesh& m) {
+      Edge_map map = m.add_property_map<Edge, bool>("e:constrained", false).first;
+      PMP::detect_sharp_edges(m, 40, map);
+      return map;
+    };
+    IAR::isotropic_remeshing(length, by_default, parameters::edge_is_constrained_map(marked(by_default)));
+    IAR::isotropic_remeshing(length, by_closest_point, parameters::edge_is_constrained_map(marked(by_closest_point))
+                                                         .projection_functor(std::cref(closest_point)));
+    IAR::isotropic_remeshing(length, by_mls, parameters::edge_is_constrained_map(marked(by_mls))
+                                               .projection_functor(std::cref(mls)));
+    CHECK_MESSAGE(meshes::Picture<Mesh>(by_default) == meshes::Picture<Mesh>(by_closest_point), name);
+    CHECK_MESSAGE(!PMP::does_self_intersect(by_closest_point) && !PMP::does_self_intersect(by_mls), name);
+  }
+}
+
 // --- curves of every shape ---------------------------------------------------------------------------------------
 
 // Marks edges of the square of 20 by 20 cells, by their ends in cells.
@@ -739,6 +765,7 @@ int main()
   sliding_can_be_turned_off();
   corners_stay();
   rims_stay_closed_and_become_round();
+  projectors_keep_to_their_patches();
   curves_may_end_meet_and_run_side_by_side();
   a_cusp_of_the_border_stays();
   small_holes_and_thin_walls_survive();

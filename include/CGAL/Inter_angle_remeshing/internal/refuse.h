@@ -13,6 +13,8 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
+constexpr const char* REMESHING = "isotropic_remeshing()";
+
 // Refuses an argument in words, in release builds too: CGAL's own checks vanish with NDEBUG.
 [[noreturn]] inline void refuse(const char* function, const std::string& what_is_wrong)
 {

@@ -11,37 +11,25 @@
 #include <CGAL/Inter_angle_remeshing/internal/corners.h>
 #include <CGAL/Inter_angle_remeshing/internal/feature_detection.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh_exchange.h>
-#include <CGAL/Inter_angle_remeshing/internal/projection.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
-#include <CGAL/Inter_angle_remeshing/internal/upsampling.h>
+#include <CGAL/Inter_angle_remeshing/internal/run_with_projector.h>
 #include <CGAL/Inter_angle_remeshing/target_edge_length.h>
-
-#include <CGAL/Simple_cartesian.h>
-#ifdef CGAL_EIGEN3_ENABLED
-#  include <CGAL/Inter_angle_remeshing/Projection/Point_set_MLS_projector.h>
-#endif
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-// From a range and its parameters to the result: reads the range, sets up the reference surface and the projector,
-// runs the remesher, writes the result back. The user's mesh is changed in the last step alone.
+// From a range and its parameters to the result: reads the range and its marks, runs the remesher, writes the result back. The user's mesh is changed in the last step alone.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
-
-constexpr const char* REMESHING = "isotropic_remeshing()";
 
 // Everything that isotropic_remeshing() reads from its named parameters.
 template <class VertexPointMap, class EdgeIsConstrainedMap, class VertexIsConstrainedMap, class PatchMap,
@@ -114,232 +102,6 @@ double target_length(const Length& length, const Remeshing_mesh& mesh, double to
   }
   check_length(result, range_area, total_edge_length);
   return result;
-}
-
-// Gives each vertex the face of the surface where it lies. A vertex starts from its neighbor's face; where that walk
-// does not lead onto the surface, the place is searched for.
-inline void find_hints(Remeshing_mesh& mesh, const Surface_projection& projection)
-{
-  using Index = Remeshing_mesh::Index;
-  constexpr double ON_SURFACE = 1e-20;          // squared distance; the extent of the mesh is about 1
-  constexpr int SCANS = 4;                      // building the search structure takes as long as some ten scans
-  int searches = 0;
-  std::vector<char> is_found(mesh.number_of_vertex_slots(), 0);
-  std::vector<Index> queue, missed;
-  const auto is_reached_from = [&](Index v, Index hint) {
-    mesh.hint(v) = hint;
-    return squared_distance(projection(mesh.position(v), mesh.hint(v)), mesh.position(v)) <= ON_SURFACE;
-  };
-  const auto search = [&](Index v) {
-    Vector3 normal;
-    mesh.for_each_around(v, [&](Index h) {
-      normal += triangle_cross(mesh.position(v), mesh.position(mesh.target(h)), mesh.position(mesh.apex(h)));
-    });
-    const Vector3 q = projection.factor * mesh.position(v);
-    if (++searches <= SCANS) projection.surface.locate_by_scan(q, mesh.hint(v), normal);
-    else projection.surface.locate(q, mesh.hint(v), normal);
-  };
-  for (Index seed = 0; seed < Index(mesh.number_of_vertex_slots()); ++seed) {
-    if (!mesh.is_vertex(seed) || is_found[seed]) continue;
-    search(seed);
-    is_found[seed] = 1;
-    queue.assign(1, seed);
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      const Index v = queue[i];
-      mesh.for_each_neighbor(v, [&](Index u) {
-        if (is_found[u]) return;
-        if (!is_reached_from(u, mesh.hint(v))) missed.push_back(u);
-        is_found[u] = 1;
-        queue.push_back(u);
-      });
-    }
-  }
-  for (const Index v : missed) {
-    bool is_reached = false;
-    mesh.for_each_neighbor(v, [&](Index u) {
-      is_reached = is_reached || is_reached_from(v, mesh.hint(u));
-    });
-    if (!is_reached) search(v);
-  }
-}
-
-// The same where the surface is a copy of the mesh as it is.
-inline void start_where_vertices_are(Remeshing_mesh& mesh)
-{
-  for (Remeshing_mesh::Index v = 0; v < Remeshing_mesh::Index(mesh.number_of_vertex_slots()); ++v)
-    mesh.hint(v) = mesh.face(mesh.first(v));
-}
-
-// The surface's faces by the input faces that they are.
-inline std::vector<Remeshing_mesh::Index> faces_by_source(const Reference_surface& surface)
-{
-  std::vector<Remeshing_mesh::Index> result(surface.number_of_faces());
-  for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(result.size()); ++f)
-    result[surface.face_record(f).source] = f;
-  return result;
-}
-
-template <class Functor>
-using Reference_surface_of = decltype(std::declval<const Functor&>().reference_surface());
-template <class Functor, class = void>
-struct Has_reference_surface : std::false_type {};
-template <class Functor>
-struct Has_reference_surface<Functor, std::void_t<Reference_surface_of<Functor>>> : std::true_type {};
-
-template <class Functor>
-using Mls_surface_of = decltype(std::declval<const Functor&>().mls_surface());
-template <class Functor, class = void>
-struct Has_mls_surface : std::false_type {};
-template <class Functor>
-struct Has_mls_surface<Functor, std::void_t<Mls_surface_of<Functor>>> : std::true_type {};
-
-template <class Functor>
-const Functor& referred(const Functor& functor) { return functor; }
-template <class Functor>
-const Functor& referred(const std::reference_wrapper<Functor>& functor) { return functor.get(); }
-
-// The default: facets where they are at most twice as long as the target, for they are what the result is measured
-// against; the MLS surface where they are three times as long, for there they would show; smooth between. Where hardly any
-// facet is that long, the run is one at the input's own length, and the facets rule everywhere; so they do on CAD models,
-// where they are what the design was approximated by.
-struct Input_kind
-{
-  bool is_cad;                   // the dihedral angles tell a CAD model
-  bool has_found_features;       // its sharp edges were found by themselves, and are constrained
-  Remeshing_report::Features features;
-  std::size_t feature_edges;
-};
-
-struct Default_surface
-{
-  static constexpr double FACET_RATIO = 2, SMOOTH_RATIO = 3;
-  static constexpr double LEAST_SHARE = 0.05;       // of the area
-
-  Default_surface(const Remeshing_mesh& mesh, double target, const Input_kind& kind)
-    : facets(mesh), face_of_source(faces_by_source(facets)), target_length(target)
-  {
-    if (!(target > 0) || kind.is_cad) return;
-    double all = 0, long_ones = 0;
-    for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()); ++f) {
-      const double area = length(facets.cross_product(f));
-      all += area;
-      if (mean_edge_length(facets, f) > FACET_RATIO * target) long_ones += area;
-    }
-    if (!(long_ones > LEAST_SHARE * all)) return;
-    const std::vector<Remeshing_mesh::Index> creases =
-      kind.has_found_features ? std::vector<Remeshing_mesh::Index>() : find_features(mesh);
-    smooth.emplace(facets, creases, FACET_RATIO * target);
-  }
-  Default_surface(const Default_surface&) = delete;     // `smooth` refers to `facets`
-  Default_surface& operator=(const Default_surface&) = delete;
-  Surface_projection projection() const
-  {
-    return {facets, 1, smooth ? &*smooth : nullptr, FACET_RATIO * target_length, SMOOTH_RATIO * target_length, nullptr, &face_of_source};
-  }
-
-  // Bends the curves of the mesh into those of the surface, where the mesh as a whole is refined by so much: a border is
-  // measured against its polyline before that. Edges that the user marked stay straight.
-  void bend(Input_curves& curves, double mean_length, const Remeshing_mesh& mesh, const Input_kind& kind) const
-  {
-    if (!smooth || mean_length < SMOOTH_RATIO * target_length) return;
-    const Surface_projection blend = projection();
-    curves.bend([&](Remeshing_mesh::Index h) {
-      const Remeshing_mesh::Index o = facets.opposite(h);
-      double share = blend.share_of_mls(smooth->mean_edge_length(h >> 2));
-      if (o >= 0) share = (share + blend.share_of_mls(smooth->mean_edge_length(o >> 2))) / 2;
-      if (mesh.is_constrained(h) && !kind.has_found_features) return std::array<Vector3, 2>{};
-      std::array<Vector3, 2> offsets = smooth->curve_offsets(h);
-      for (Vector3& d : offsets) d = share * d;
-      return offsets;
-    });
-  }
-
-  // The area of the surface over that of the facets.
-  double area_ratio() const
-  {
-    if (!smooth) return 1;
-    double flat = 0, curved = 0;
-    for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()); ++f) {
-      const double area = length(facets.cross_product(f)) / 2;
-      flat += area;
-      curved += smooth->mean_edge_length(f) > FACET_RATIO * target_length ? smooth->area(f) : area;
-    }
-    return curved / flat;
-  }
-
-  Reference_surface facets;
-  std::vector<Remeshing_mesh::Index> face_of_source;
-  std::optional<Mls_surface> smooth;
-  double target_length;
-};
-
-// The surface of the paper: MLS on the up-sampled facets.
-inline std::function<Vector3(const Vector3&)> paper_surface(const Reference_surface& facets,
-                                                            const std::vector<Remeshing_mesh::Index>& creases)
-{
-#ifdef CGAL_EIGEN3_ENABLED
-  using Point = CGAL::Simple_cartesian<double>::Point_3;
-  using Vector = CGAL::Simple_cartesian<double>::Vector_3;
-  std::vector<std::pair<Point, Vector>> samples;
-  for_each_sample(Mls_surface(facets, creases), [&](const Surface_sample& s) {
-    samples.emplace_back(Point(s.point.x, s.point.y, s.point.z), Vector(s.normal.x, s.normal.y, s.normal.z));
-  });
-  if (samples.empty()) return {};
-  return [projector = Point_set_MLS_projector<Point>(samples)](const Vector3& q) {
-    const Point p = projector.project(Point(q.x, q.y, q.z));
-    return Vector3{p.x(), p.y(), p.z()};
-  };
-#else
-  (void)facets; (void)creases;
-  refuse(REMESHING, "Recipe::Surface::paper, as in Recipe::paper(), needs Eigen: define CGAL_EIGEN3_ENABLED");
-#endif
-}
-
-// Runs the remesher with the projector that the functor asks for. A wanted number of faces is one of the surface that
-// the result lies on: the target length follows its area.
-template <class ConcurrencyTag, class Parameters, class Exchange, class Run>
-Remeshing_report run_with_projector(const Parameters& parameters, const Exchange& exchange, Remeshing_mesh& mesh,
-                                    const Input_kind& kind, Input_curves& curves, double& target, const Run& run)
-{
-  using Vertex = std::decay_t<decltype(exchange.input_vertices()[0])>;
-  using Point_3 = typename boost::property_traits<decltype(parameters.vertex_point_map)>::value_type;
-  const auto& functor = referred(parameters.projection_functor);
-  using Functor = std::decay_t<decltype(functor)>;
-  if (!parameters.does_project) return run(No_projection());
-  if constexpr (std::is_same<Functor, No_map>::value) {
-    if (parameters.recipe.surface == Recipe::Surface::paper) {
-      const Reference_surface facets(mesh);
-      const std::vector<Remeshing_mesh::Index> face_of_source = faces_by_source(facets);
-      const auto rule = paper_surface(facets, find_features(mesh));
-      start_where_vertices_are(mesh);
-      Surface_projection projection{facets};
-      projection.face_of_source = &face_of_source;
-      if (rule) projection.rule = &rule;
-      return run(projection);
-    }
-    const Default_surface surface(mesh, target, kind);
-    start_where_vertices_are(mesh);
-    surface.bend(curves, mean_edge_length(mesh), mesh, kind);
-    if (parameters.schedule.wanted_faces > 0) target *= std::sqrt(surface.area_ratio());
-    return run(surface.projection());
-  } else if constexpr (Has_reference_surface<Functor>::value) {
-    const Reference_surface& surface = functor.reference_surface();
-    Surface_projection projection{surface, mesh.unit() / surface.unit()};
-    find_hints(mesh, projection);
-    if constexpr (Has_mls_surface<Functor>::value) projection.mls = &functor.mls_surface();
-    return run(projection);
-  } else if constexpr (std::is_invocable_r<Point_3, const Functor&, const Point_3&>::value)
-    return run(Point_functor_projection<Functor, Point_3>{functor, mesh.unit()});
-  else {
-    static_assert(std::is_invocable_r<Point_3, const Functor&, Vertex>::value,
-                  "projection_functor: expected a functor `Point_3 operator()(vertex_descriptor) const`, as in "
-                  "Polygon_mesh_processing, or `Point_3 operator()(const Point_3&) const`.");
-    const Vertex_functor_projection<Functor, Vertex, decltype(parameters.vertex_point_map)> projection(
-      functor, exchange.input_vertices().front(), parameters.vertex_point_map, mesh.unit());
-    const Remeshing_report report = run(projection);
-    projection.restore();
-    return report;
-  }
 }
 
 template <class PatchMap, class Faces>

@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_DEFAULT_SURFACE_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_DEFAULT_SURFACE_H
+
+#include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
+#include <CGAL/Inter_angle_remeshing/internal/Input_curves.h>
+#include <CGAL/Inter_angle_remeshing/internal/Mls_surface.h>
+#include <CGAL/Inter_angle_remeshing/internal/feature_detection.h>
+#include <CGAL/Inter_angle_remeshing/internal/projection.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// What the dihedral angles tell about the input.
+struct Input_kind
+{
+  bool is_cad;                   // the dihedral angles tell a CAD model
+  bool has_found_features;       // its sharp edges were found by themselves, and are constrained
+  Remeshing_report::Features features;
+  std::size_t feature_edges;
+};
+
+// The surface's faces by the input faces that they are.
+inline std::vector<Remeshing_mesh::Index> faces_by_source(const Reference_surface& surface)
+{
+  std::vector<Remeshing_mesh::Index> result(surface.number_of_faces());
+  for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(result.size()); ++f)
+    result[surface.face_record(f).source] = f;
+  return result;
+}
+
+// The default: facets where they are at most twice as long as the target, for they are what the result is measured
+// against; the MLS surface where they are three times as long, for there they would show; smooth between. Where hardly any
+// facet is that long, the run is one at the input's own length, and the facets rule everywhere; so they do on CAD models,
+// where they are what the design was approximated by.
+struct Default_surface
+{
+  static constexpr double FACET_RATIO = 2, SMOOTH_RATIO = 3;
+  static constexpr double LEAST_SHARE = 0.05;       // of the area
+
+  Default_surface(const Remeshing_mesh& mesh, double target, const Input_kind& kind)
+    : facets(mesh), face_of_source(faces_by_source(facets)), target_length(target)
+  {
+    if (!(target > 0) || kind.is_cad) return;
+    double all = 0, long_ones = 0;
+    for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()); ++f) {
+      const double area = length(facets.cross_product(f));
+      all += area;
+      if (mean_edge_length(facets, f) > FACET_RATIO * target) long_ones += area;
+    }
+    if (!(long_ones > LEAST_SHARE * all)) return;
+    const std::vector<Remeshing_mesh::Index> creases =
+      kind.has_found_features ? std::vector<Remeshing_mesh::Index>() : find_features(mesh);
+    smooth.emplace(facets, creases, FACET_RATIO * target);
+  }
+  Default_surface(const Default_surface&) = delete;     // `smooth` refers to `facets`
+  Default_surface& operator=(const Default_surface&) = delete;
+  Surface_projection projection() const
+  {
+    return {facets, 1, smooth ? &*smooth : nullptr, FACET_RATIO * target_length, SMOOTH_RATIO * target_length, nullptr, &face_of_source};
+  }
+
+  // Bends the curves of the mesh into those of the surface, where the mesh as a whole is refined by so much: a border is
+  // measured against its polyline before that. Edges that the user marked stay straight.
+  void bend(Input_curves& curves, double mean_length, const Remeshing_mesh& mesh, const Input_kind& kind) const
+  {
+    if (!smooth || mean_length < SMOOTH_RATIO * target_length) return;
+    const Surface_projection blend = projection();
+    curves.bend([&](Remeshing_mesh::Index h) {
+      const Remeshing_mesh::Index o = facets.opposite(h);
+      double share = blend.share_of_mls(smooth->mean_edge_length(h >> 2));
+      if (o >= 0) share = (share + blend.share_of_mls(smooth->mean_edge_length(o >> 2))) / 2;
+      if (mesh.is_constrained(h) && !kind.has_found_features) return std::array<Vector3, 2>{};
+      std::array<Vector3, 2> offsets = smooth->curve_offsets(h);
+      for (Vector3& d : offsets) d = share * d;
+      return offsets;
+    });
+  }
+
+  // The area of the surface over that of the facets.
+  double area_ratio() const
+  {
+    if (!smooth) return 1;
+    double flat = 0, curved = 0;
+    for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()); ++f) {
+      const double area = length(facets.cross_product(f)) / 2;
+      flat += area;
+      curved += smooth->mean_edge_length(f) > FACET_RATIO * target_length ? smooth->area(f) : area;
+    }
+    return curved / flat;
+  }
+
+  Reference_surface facets;
+  std::vector<Remeshing_mesh::Index> face_of_source;
+  std::optional<Mls_surface> smooth;
+  double target_length;
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_DEFAULT_SURFACE_H

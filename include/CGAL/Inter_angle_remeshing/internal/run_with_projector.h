@@ -1,0 +1,185 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_RUN_WITH_PROJECTOR_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_RUN_WITH_PROJECTOR_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Default_surface.h>
+#include <CGAL/Inter_angle_remeshing/internal/constraints.h>
+#include <CGAL/Inter_angle_remeshing/internal/projection.h>
+#include <CGAL/Inter_angle_remeshing/internal/refuse.h>
+#include <CGAL/Inter_angle_remeshing/internal/starting_places.h>
+#include <CGAL/Inter_angle_remeshing/internal/upsampling.h>
+
+#include <CGAL/Simple_cartesian.h>
+#ifdef CGAL_EIGEN3_ENABLED
+#  include <CGAL/Inter_angle_remeshing/Projection/Point_set_MLS_projector.h>
+#endif
+
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// What the named parameter `projection_functor` stands for.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+template <class Functor>
+using Reference_surface_of = decltype(std::declval<const Functor&>().reference_surface());
+template <class Functor, class = void>
+struct Has_reference_surface : std::false_type {};
+template <class Functor>
+struct Has_reference_surface<Functor, std::void_t<Reference_surface_of<Functor>>> : std::true_type {};
+
+template <class Functor>
+using Mls_surface_of = decltype(std::declval<const Functor&>().mls_surface());
+template <class Functor, class = void>
+struct Has_mls_surface : std::false_type {};
+template <class Functor>
+struct Has_mls_surface<Functor, std::void_t<Mls_surface_of<Functor>>> : std::true_type {};
+
+template <class Functor>
+const Functor& referred(const Functor& functor) { return functor; }
+template <class Functor>
+const Functor& referred(const std::reference_wrapper<Functor>& functor) { return functor.get(); }
+
+// The surface of the paper: MLS on the up-sampled facets.
+inline std::function<Vector3(const Vector3&)> paper_surface(const Reference_surface& facets,
+                                                            const std::vector<Remeshing_mesh::Index>& creases)
+{
+#ifdef CGAL_EIGEN3_ENABLED
+  using Point = CGAL::Simple_cartesian<double>::Point_3;
+  using Vector = CGAL::Simple_cartesian<double>::Vector_3;
+  std::vector<std::pair<Point, Vector>> samples;
+  for_each_sample(Mls_surface(facets, creases), [&](const Surface_sample& s) {
+    samples.emplace_back(Point(s.point.x, s.point.y, s.point.z), Vector(s.normal.x, s.normal.y, s.normal.z));
+  });
+  if (samples.empty()) return {};
+  return [projector = Point_set_MLS_projector<Point>(samples)](const Vector3& q) {
+    const Point p = projector.project(Point(q.x, q.y, q.z));
+    return Vector3{p.x(), p.y(), p.z()};
+  };
+#else
+  (void)facets; (void)creases;
+  refuse(REMESHING, "Recipe::Surface::paper, as in Recipe::paper(), needs Eigen: define CGAL_EIGEN3_ENABLED");
+#endif
+}
+
+// A surface that the user handed over. Where it is a copy of the input, walks over it keep to the patches of the run, and
+// begin where the vertices are.
+class Handed_surface
+{
+public:
+  using Index = Remeshing_mesh::Index;
+
+  Handed_surface(const Reference_surface& surface, const Remeshing_mesh& mesh)
+    : surface_(surface), factor_(mesh.unit() / surface.unit())
+  {
+    if (mesh.number_of_face_slots() != surface.number_of_faces()) return;
+    face_of_source_ = faces_by_source(surface);
+    if (!is_copy_of(mesh)) { face_of_source_.clear(); return; }
+    std::vector<Index> barriers;
+    for_each_halfedge(mesh, [&](Index h) { if (mesh.is_constrained(h)) barriers.push_back(halfedge_of(mesh, h)); });
+    if (!barriers.empty()) patched_.emplace(surface, barriers);
+  }
+
+  Surface_projection projection() const
+  {
+    Surface_projection result{patched_ ? *patched_ : surface_, factor_};
+    if (!face_of_source_.empty()) result.face_of_source = &face_of_source_;
+    return result;
+  }
+
+  void start(Remeshing_mesh& mesh) const
+  {
+    if (face_of_source_.empty()) { find_hints(mesh, projection()); return; }
+    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v)
+      mesh.hint(v) = surface_.face(halfedge_of(mesh, mesh.first(v)));
+  }
+
+private:
+  template <class Function>
+  static void for_each_halfedge(const Remeshing_mesh& mesh, const Function& function)
+  {
+    for (Index h = 0; h < 4 * Index(mesh.number_of_face_slots()); ++h)
+      if (mesh.corner(h) < 3) function(h);
+  }
+  // The half-edge of the surface that is the mesh's.
+  Index halfedge_of(const Remeshing_mesh& mesh, Index h) const
+  {
+    return 4 * face_of_source_[mesh.face_record(mesh.face(h)).source] + mesh.corner(h);
+  }
+  bool is_copy_of(const Remeshing_mesh& mesh) const
+  {
+    bool result = true;
+    for_each_halfedge(mesh, [&](Index h) {
+      const Index v = surface_.origin(halfedge_of(mesh, h));
+      result = result && factor_ * mesh.position(mesh.origin(h)) == surface_.position(v);
+    });
+    return result;
+  }
+
+  const Reference_surface& surface_;
+  double factor_;                              // from the units of the run to those of the surface
+  std::optional<Reference_surface> patched_;
+  std::vector<Index> face_of_source_;          // empty: the surface is another one
+};
+
+// Runs the remesher with the projector that the functor asks for. A wanted number of faces is one of the surface that
+// the result lies on: the target length follows its area.
+template <class ConcurrencyTag, class Parameters, class Exchange, class Run>
+Remeshing_report run_with_projector(const Parameters& parameters, const Exchange& exchange, Remeshing_mesh& mesh,
+                                    const Input_kind& kind, Input_curves& curves, double& target, const Run& run)
+{
+  using Vertex = std::decay_t<decltype(exchange.input_vertices()[0])>;
+  using Point_3 = typename boost::property_traits<decltype(parameters.vertex_point_map)>::value_type;
+  const auto& functor = referred(parameters.projection_functor);
+  using Functor = std::decay_t<decltype(functor)>;
+  if (!parameters.does_project) return run(No_projection());
+  if constexpr (std::is_same<Functor, No_map>::value) {
+    if (parameters.recipe.surface == Recipe::Surface::paper) {
+      const Reference_surface facets(mesh);
+      const std::vector<Remeshing_mesh::Index> face_of_source = faces_by_source(facets);
+      const auto rule = paper_surface(facets, find_features(mesh));
+      start_where_vertices_are(mesh);
+      Surface_projection projection{facets};
+      projection.face_of_source = &face_of_source;
+      if (rule) projection.rule = &rule;
+      return run(projection);
+    }
+    const Default_surface surface(mesh, target, kind);
+    start_where_vertices_are(mesh);
+    surface.bend(curves, mean_edge_length(mesh), mesh, kind);
+    if (parameters.schedule.wanted_faces > 0) target *= std::sqrt(surface.area_ratio());
+    return run(surface.projection());
+  } else if constexpr (Has_reference_surface<Functor>::value) {
+    const Handed_surface surface(functor.reference_surface(), mesh);
+    surface.start(mesh);
+    Surface_projection projection = surface.projection();
+    if constexpr (Has_mls_surface<Functor>::value) projection.mls = &functor.mls_surface();
+    return run(projection);
+  } else if constexpr (std::is_invocable_r<Point_3, const Functor&, const Point_3&>::value)
+    return run(Point_functor_projection<Functor, Point_3>{functor, mesh.unit()});
+  else {
+    static_assert(std::is_invocable_r<Point_3, const Functor&, Vertex>::value,
+                  "projection_functor: expected a functor `Point_3 operator()(vertex_descriptor) const`, as in "
+                  "Polygon_mesh_processing, or `Point_3 operator()(const Point_3&) const`.");
+    const Vertex_functor_projection<Functor, Vertex, decltype(parameters.vertex_point_map)> projection(
+      functor, exchange.input_vertices().front(), parameters.vertex_point_map, mesh.unit());
+    const Remeshing_report report = run(projection);
+    projection.restore();
+    return report;
+  }
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_RUN_WITH_PROJECTOR_H
