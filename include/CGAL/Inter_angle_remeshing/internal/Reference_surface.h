@@ -6,8 +6,8 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REFERENCE_SURFACE_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
-#include <CGAL/Inter_angle_remeshing/internal/closest_point_on_triangle.h>
 #include <CGAL/Inter_angle_remeshing/internal/compatibility.h>
+#include <CGAL/Inter_angle_remeshing/internal/surface_walk.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>
@@ -54,15 +54,8 @@ public:
     return triangle_cross(position_[t.vertex[0]], position_[t.vertex[1]], position_[t.vertex[2]]);
   }
 
-  Point_on_triangle closest_point_on_face(const Vector3& q, Index f) const
-  {
-    const Face& t = face_record(f);
-    return closest_point_on_triangle(q, position_[t.vertex[0]], position_[t.vertex[1]], position_[t.vertex[2]]);
-  }
-
-  // Walks from face f over the surface to the closest point, downhill in distance; f becomes the face it ends on. A walk does
-  // not cross a constrained edge: a vertex stays in its patch.
-  Point_on_triangle closest_point_near(const Vector3& q, Index& f) const;
+  // Walks from face f over the surface to the closest point; f becomes the face it ends on.
+  Point_on_triangle closest_point_near(const Vector3& q, Index& f) const { return walk_to_closest_point(*this, q, f); }
   Vector3 walk(const Vector3& q, Index& f) const { return closest_point_near(q, f).point; }
 
   // The closest point where nothing is known about q. Where `normal` is not zero, the closest point whose face
@@ -103,8 +96,6 @@ private:
 
   using Tree = CGAL::AABB_tree<AABB_traits<Kernel, Face_primitive>>;
 
-  bool is_barrier(Index h) const { return (face_record(h >> 2).edge_flags & (Remeshing_mesh::CONSTRAINED << (h & 3))) != 0; }
-
   // How far away from q a face may be that looks the right way and wins over f, on which the closest point lies.
   double compatible_radius(const Vector3& q, const Vector3& closest, Index f) const
   {
@@ -112,7 +103,6 @@ private:
   }
   Kernel::Point_3 point(Index v) const { return {position_[v].x, position_[v].y, position_[v].z}; }
   const Tree& tree() const;
-  bool walk_around_vertex(const Vector3& q, Index h, Index& f, Point_on_triangle& best, double& distance) const;
 
   std::vector<Vector3> position_;
   double unit_;
@@ -120,63 +110,6 @@ private:
   mutable std::once_flag tree_is_built_;
   mutable std::unique_ptr<Tree> tree_;
 };
-
-// Steps of a walk; one visits 1.7 faces on the average. The bound only keeps rounding from running in circles.
-constexpr int MAXIMUM_WALK = 200;
-// A step of the walk must come nearer by this fraction of the squared distance: more than rounding.
-constexpr double NEARER = 1 - 1e-12;
-
-inline bool Reference_surface::walk_around_vertex(const Vector3& q, Index h, Index& f, Point_on_triangle& best,
-                                                  double& distance) const
-{
-  bool is_nearer = false;
-  const auto look_at = [&](Index k) {
-    const Point_on_triangle c = closest_point_on_face(q, face(k));
-    const double d = squared_distance(q, c.point);
-    if (d < distance * NEARER) {
-      is_nearer = true;
-      distance = d;
-      best = c;
-      f = face(k);
-    }
-  };
-  Index k = h;
-  while (!is_barrier(prev(k))) {
-    k = rotate_ccw(k);
-    if (k < 0 || k == h) break;
-    look_at(k);
-  }
-  if (k < 0 || is_barrier(prev(k)))
-    for (k = h; !is_barrier(k);) {
-      k = rotate_cw(k);
-      if (k < 0) break;
-      look_at(k);
-    }
-  return is_nearer;
-}
-
-inline Point_on_triangle Reference_surface::closest_point_near(const Vector3& q, Index& f) const
-{
-  Point_on_triangle best = closest_point_on_face(q, f);
-  double distance = squared_distance(q, best.point);
-  for (int step = 0; step < MAXIMUM_WALK; ++step) {
-    const int part = int(best.part);
-    if (best.part == Triangle_part::interior) break;
-    if (part <= int(Triangle_part::edge_ca)) {
-      const Index across = face_record(f).opposite[part - int(Triangle_part::edge_ab)];
-      if (across < 0 || is_barrier(4 * f + part - int(Triangle_part::edge_ab))) break;
-      const Point_on_triangle c = closest_point_on_face(q, face(across));
-      const double d = squared_distance(q, c.point);
-      if (!(d < distance * NEARER)) break;
-      distance = d;
-      best = c;
-      f = face(across);
-    }
-    else if (!walk_around_vertex(q, 4 * f + part - int(Triangle_part::vertex_a), f, best, distance))
-      break;
-  }
-  return best;
-}
 
 inline const Reference_surface::Tree& Reference_surface::tree() const
 {
@@ -201,7 +134,7 @@ inline Vector3 Reference_surface::locate_by_scan(const Vector3& q, Index& f, con
   for (Index g = 0; g < Index(number_of_faces()); ++g) {
     const Vector3 c = cross_product(g);
     if (!(squared_length(c) > 0)) continue;
-    const Vector3 p = closest_point_on_face(q, g).point;
+    const Vector3 p = closest_point_on_face(*this, q, g).point;
     const double d = squared_distance(q, p);
     if (d < closest.distance) closest = {p, g, d};
     if (d < compatible.distance && dot(c, normal) > 0) compatible = {p, g, d};
@@ -222,7 +155,7 @@ inline Vector3 Reference_surface::locate(const Vector3& q, Index& f, const Vecto
   }
   const Kernel::Point_3 query(q.x, q.y, q.z);
   f = tree().closest_point_and_primitive(query).second;
-  const Vector3 closest = closest_point_on_face(q, f).point;
+  const Vector3 closest = closest_point_on_face(*this, q, f).point;
   if (normal == Vector3() || dot(cross_product(f), normal) > 0) return closest;
 
   const double radius = compatible_radius(q, closest, f);
@@ -235,7 +168,7 @@ inline Vector3 Reference_surface::locate(const Vector3& q, Index& f, const Vecto
   Vector3 result = closest;
   for (const Index g : near) {
     if (!(dot(cross_product(g), normal) > 0)) continue;
-    const Vector3 c = closest_point_on_face(q, g).point;
+    const Vector3 c = closest_point_on_face(*this, q, g).point;
     const double d = squared_distance(q, c);
     if (d < best) { best = d; result = c; f = g; }
   }
