@@ -7,6 +7,8 @@
 #include <CGAL/Inter_angle_remeshing/Projection/MLS_projector.h>
 #include <CGAL/Inter_angle_remeshing/Projection/Upsampled_point_set.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
+#include <CGAL/Inter_angle_remeshing/surface_distance.h>
+#include <CGAL/Inter_angle_remeshing/triangle_quality.h>
 #ifdef CGAL_EIGEN3_ENABLED
 #  include <CGAL/Inter_angle_remeshing/Projection/Point_set_MLS_projector.h>
 #endif
@@ -34,6 +36,7 @@
 #include <random>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace IAR = CGAL::Inter_angle_remeshing;
@@ -574,19 +577,68 @@ void sharp_models_stay_near()
 
 // --- runs ---------------------------------------------------------------------------------------------------------
 
+// Every vertex on the surface.
+IAR::Recipe without_fit()
+{
+  IAR::Recipe recipe;
+  recipe.fits = 0;
+  return recipe;
+}
+
 void a_coarse_mesh_becomes_a_fine_surface()
 {
   const Mesh coarse = to_mesh<Mesh>(sphere(3));   // 512 faces
   const double fine = mean_edge_length(coarse) / 4;
   Mesh ours = coarse, facets = coarse, theirs = coarse, by_mls = coarse;
-  IAR::isotropic_remeshing(fine, ours);
-  IAR::isotropic_remeshing(fine, facets, parameters::projection_functor(Facets(coarse)));
-  IAR::isotropic_remeshing(fine, by_mls, parameters::projection_functor(Mls(coarse)));
+  IAR::isotropic_remeshing(faces(ours), fine, ours, IAR::recipe(without_fit()));
+  IAR::isotropic_remeshing(faces(facets), fine, facets, IAR::recipe(without_fit(), parameters::projection_functor(Facets(coarse))));
+  IAR::isotropic_remeshing(faces(by_mls), fine, by_mls, IAR::recipe(without_fit(), parameters::projection_functor(Mls(coarse))));
   PMP::isotropic_remeshing(faces(theirs), fine, theirs, parameters::number_of_iterations(5));
   const double error = mean_error(ours, distance_from_sphere);
   CHECK_MESSAGE(mean_error(facets, distance_from_sphere) > 30 * error, mean_error(facets, distance_from_sphere) / error);
   CHECK_MESSAGE(mean_error(theirs, distance_from_sphere) > 30 * error, mean_error(theirs, distance_from_sphere) / error);
   CHECK(mean_error(facets, distance_from_sphere) > 30 * mean_error(by_mls, distance_from_sphere));
+}
+
+// The fit brings the faces nearer to the surface, in both directions, and costs no angles.
+void a_fit_comes_nearer()
+{
+  for(const auto& [name, factor] : std::vector<std::pair<std::string, double>>{
+        {"elephant", 1}, {"fandisk", 1}, {"joint", .15}, {"knot1", 1}, {"knot1", 3}, {"mushroom", 1}})
+  {
+    Mesh input;
+    CHECK(PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), input));
+    if(is_small_run() && input.number_of_faces() > 3000)
+      continue;
+    const double length = factor * mean_edge_length(input);
+    Mesh fitted = input, projected = input;
+    IAR::isotropic_remeshing(length, fitted);
+    IAR::isotropic_remeshing(faces(projected), length, projected, IAR::recipe(without_fit()));
+    const auto near = IAR::surface_distance(input, fitted), far = IAR::surface_distance(input, projected);
+    CHECK_MESSAGE(near.mean_1_to_2 < .8 * far.mean_1_to_2, name << ": " << near.mean_1_to_2 / far.mean_1_to_2);
+    CHECK_MESSAGE(near.mean_2_to_1 < .9 * far.mean_2_to_1, name << ": " << near.mean_2_to_1 / far.mean_2_to_1);
+    const auto a = IAR::inter_angle_statistics(fitted), b = IAR::inter_angle_statistics(projected);
+    CHECK_MESSAGE(a.minimum_unforced_angle > b.minimum_unforced_angle - 3, name << ": " << a.minimum_unforced_angle);
+    CHECK_MESSAGE(a.average > b.average - .5, name << ": " << a.average << " against " << b.average);
+    CHECK(fitted.number_of_faces() == projected.number_of_faces());
+  }
+}
+
+// On planes, which need not be those of the axes, there is nothing to fit.
+void a_fit_leaves_planes_flat()
+{
+  Mesh m = to_mesh<Mesh>(cube(6));
+  const auto turned = [](const Point& p) {
+    const double a = .7, b = .4;
+    const double x = std::cos(a) * p.x() - std::sin(a) * p.y(), y = std::sin(a) * p.x() + std::cos(a) * p.y();
+    return Point(x, std::cos(b) * y - std::sin(b) * p.z(), std::sin(b) * y + std::cos(b) * p.z());
+  };
+  for(const auto v : m.vertices())
+    m.point(v) = turned(m.point(v));
+  const Facets facets(m);
+  IAR::isotropic_remeshing(1.3 * mean_edge_length(m), m);
+  for(const auto v : m.vertices())
+    CHECK_MESSAGE(distance(m.point(v), facets.project(m.point(v))) < 1e-14, distance(m.point(v), facets.project(m.point(v))));
 }
 
 // It keeps to the up-sampled point set, and asks for Eigen where that is not there.
@@ -613,7 +665,7 @@ void at_its_own_length_a_mesh_keeps_to_its_facets()
   for(const double factor : {1., 2.})
   {
     Mesh output = input;
-    IAR::isotropic_remeshing(1.2 * factor * mean_edge_length(input), output);
+    IAR::isotropic_remeshing(faces(output), 1.2 * factor * mean_edge_length(input), output, IAR::recipe(without_fit()));
     for(const auto v : output.vertices())
       CHECK(distance(output.point(v), facets.project(output.point(v))) < 1e-3 * mean_edge_length(input));
   }
@@ -656,6 +708,8 @@ int main()
   sharp_models_stay_near();
 #endif
   a_coarse_mesh_becomes_a_fine_surface();
+  a_fit_comes_nearer();
+  a_fit_leaves_planes_flat();
   the_paper_preset_keeps_to_the_point_set();
   at_its_own_length_a_mesh_keeps_to_its_facets();
   both_functions_take_the_projector();

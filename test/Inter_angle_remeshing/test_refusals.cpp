@@ -420,8 +420,8 @@ void a_run_can_be_cancelled_after_each_pass()
 void pass_names_are_distinct()
 {
   const std::set<IAR::Pass> passes = {IAR::Pass::split, IAR::Pass::collapse, IAR::Pass::flip, IAR::Pass::glide,
-                                      IAR::Pass::relax, IAR::Pass::clean_up, IAR::Pass::polish};
-  CHECK(passes.size() == 7);
+                                      IAR::Pass::relax, IAR::Pass::clean_up, IAR::Pass::fit, IAR::Pass::polish};
+  CHECK(passes.size() == 8);
 }
 
 // Checks the order of what it is told, and counts.
@@ -455,7 +455,7 @@ public:
     if(!is_in_iteration_)
       CHECK(pass != IAR::Pass::split && pass != IAR::Pass::collapse && pass != IAR::Pass::glide && iterations > 0);
     else
-      CHECK(pass != IAR::Pass::clean_up && pass != IAR::Pass::polish);
+      CHECK(pass != IAR::Pass::clean_up && pass != IAR::Pass::fit && pass != IAR::Pass::polish);
     is_in_pass_ = true;
     pass_ = pass;
     ++passes[pass];
@@ -493,6 +493,7 @@ public:
       CHECK(before_move_ == after_move_);
       CHECK_MESSAGE(count == before_move_.size(), count << " vertices relaxed, " << before_move_.size() << " announced");
       break;
+    case IAR::Pass::fit:
     case IAR::Pass::polish:
       CHECK(split + collapsed + flipped == 0);
       break;
@@ -618,7 +619,7 @@ void a_visitor_is_told_everything_in_order()
     CHECK(w.flips >= report.flips + report.glides);
     CHECK(w.moves > 0);
     CHECK(w.passes[IAR::Pass::split] == 4 && w.passes[IAR::Pass::collapse] == 4);
-    CHECK(w.passes[IAR::Pass::clean_up] == 1);
+    CHECK(w.passes[IAR::Pass::clean_up] == 1 && w.passes[IAR::Pass::fit] == 1);
     CHECK(report.collapses > 0 && report.flips > 0);
     CHECK(is_closed || (report.splits > 0 && report.glides > 0));
   }
@@ -872,9 +873,13 @@ void a_projector_does_what_the_default_does()
   const Projector projector(input);
   Mesh by_default = input, by_reference = input, by_value = input;
   const double length = .1;   // some 3700 faces: of less, the averages scatter more
-  const Report a = IAR::isotropic_remeshing(length, by_default);
-  const Report b = IAR::isotropic_remeshing(length, by_reference, parameters::projection_functor(std::cref(projector)));
-  const Report c = IAR::isotropic_remeshing(length, by_value, parameters::projection_functor(projector));
+  IAR::Recipe recipe;
+  recipe.fits = 0;            // which lifts vertices off the surface
+  const Report a = IAR::isotropic_remeshing(faces(by_default), length, by_default, IAR::recipe(recipe));
+  const Report b = IAR::isotropic_remeshing(faces(by_reference), length, by_reference,
+                                            IAR::recipe(recipe, parameters::projection_functor(std::cref(projector))));
+  const Report c = IAR::isotropic_remeshing(faces(by_value), length, by_value,
+                                            IAR::recipe(recipe, parameters::projection_functor(projector)));
   CHECK(Picture<Mesh>(by_reference) == Picture<Mesh>(by_value));
   CHECK(b.output_faces == c.output_faces);
   // a run is chaotic: the projector's faces are numbered otherwise, and the last bit decides where two are equally near

@@ -12,7 +12,7 @@ namespace Inter_angle_remeshing {
 
 /// \ingroup PkgInterAngleRemeshingRef
 /// the passes of an iteration, as a visitor meets them
-enum class Pass { split, collapse, flip, glide, relax, clean_up, polish };
+enum class Pass { split, collapse, flip, glide, relax, clean_up, fit, polish };
 
 /*!
 \ingroup PkgInterAngleRemeshingRef
@@ -39,7 +39,7 @@ struct Default_visitor
   template <class Mesh>
   void start_pass(Pass, const Mesh&) {}
   /// called after a pass, with the number of operations that it did: edges split, collapsed or flipped, glides,
-  /// vertices relaxed.
+  /// vertices relaxed, vertices moved by the fit.
   template <class Mesh>
   void end_pass(Pass, const Mesh&, std::size_t /* count */) {}
 

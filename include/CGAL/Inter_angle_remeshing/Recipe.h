@@ -72,6 +72,10 @@ struct Recipe
   double grading = 0.2;
   /// whether valences of 4 and less, and angles out of the band, are mended after the last iteration
   bool clean_up = true;
+  /// passes that fit the faces to the surface by least squares, as a part of the clean-up: the vertices then lie on both sides of
+  /// it, and the mean distance falls by a third and more. Vertices on the border and on features stay. 0 leaves every vertex on the
+  /// surface, as does a projection functor that is none of this package's.
+  unsigned fits = 2;
   /// the band, in degrees, into which the clean-up moves the angles, as far as moving vertices along the surface can:
   /// its lower bound, under 60. Faces that touch the border or a feature are moved into [35, 100] if that is wider.
   double lower_angle = 44;
@@ -95,6 +99,7 @@ struct Recipe
     r.glide_depth = 0;
     r.grading = 0;
     r.clean_up = false;
+    r.fits = 0;
     r.policies = Policies::paper;
     r.surface = Surface::paper;
     return r;

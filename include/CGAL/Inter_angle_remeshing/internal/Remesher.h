@@ -11,6 +11,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/clean_up_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
+#include <CGAL/Inter_angle_remeshing/internal/fit_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/flip_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/glide_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/polish_pass.h>
@@ -198,6 +199,10 @@ private:
     if (goes_on()) flip(1, false);
     if (goes_on() && recipe_.sweeps > 0) relax(CLEAN_UP_SWEEPS, Pull_back::after_last_sweep);
     std::size_t moves = 0;
+    if constexpr (std::decay_t<decltype(context_.projector)>::HAS_FACES)
+      if (goes_on() && recipe_.fits > 0 && recipe_.sweeps > 0)
+        run_pass(Pass::fit, moves, [&]() {
+          return fit_pass<ConcurrencyTag>(context_, context_.target_length, recipe_.fits); });
     if (goes_on() && recipe_.sweeps > 0)
       run_pass(Pass::polish, moves, [&]() { return polish_pass(context_, context_.target_length); });
   }

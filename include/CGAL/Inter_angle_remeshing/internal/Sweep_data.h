@@ -73,6 +73,8 @@ public:
       if (!function(r[k == 0 ? n - 1 : k - 1], r[k])) return false;
     return true;
   }
+  // Where vertex v of the mesh is in the order.
+  Index rank(Index v) const { return rank_[v]; }
   const Index* ring(std::size_t i) const { return rings_.data() + ring_start_[i]; }
   int valence(std::size_t i) const { return int(ring_start_[i + 1] - ring_start_[i]); }
 

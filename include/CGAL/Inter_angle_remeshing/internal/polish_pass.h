@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -148,16 +149,26 @@ private:
     g = g - (dot(g, normal) / l) * normal;
     const double slope = internal::length(g);
     if (!(slope > 0)) return false;
+    const Vector3 offset = offset_of(v, normal, l);
     double step = (std::min)(LONGEST_STEP * length_, STEP_FACTOR * before.energy / slope);
     for (int trial = 0; trial < TRIALS; ++trial, step *= BACKTRACK) {
       Index hint = mesh_.hint(v);
-      const Vector3 q = context_.projector(p - (step / slope) * g, hint);
+      const Vector3 q = context_.projector(p - (step / slope) * g, hint) + offset;
       if (!context_.projector.is_compatible(hint, normal) || !is_better(before, before.energy, p, q)) continue;
       mesh_.hint(v) = hint;
       place(v, q);
       return true;
     }
     return false;
+  }
+
+  // What a fit has put v off the surface, along the normal of its star.
+  Vector3 offset_of(Index v, const Vector3& normal, double squared_length_of_normal) const
+  {
+    if (!std::decay_t<decltype(context_.projector)>::HAS_FACES || context_.recipe.fits == 0) return {};
+    Index hint = mesh_.hint(v);
+    const Vector3 d = mesh_.position(v) - context_.projector(mesh_.position(v), hint);
+    return (dot(d, normal) / squared_length_of_normal) * normal;
   }
 
   void place(Index v, const Vector3& q)

@@ -17,8 +17,8 @@
 #include <vector>
 
 // The projectors that passes see: `Vector3 operator()(const Vector3& q, Index& hint) const`, in the units of the flat
-// mesh. `hint` is the face where a walk starts and ends; projectors that know no faces leave it alone. `face_of()`
-// tells which of these faces is a face of the input, -1 where none is.
+// mesh. `hint` is the face where a walk starts and ends; projectors that know no faces leave it alone (HAS_FACES is false).
+// `face_of()` tells which of these faces is a face of the input, -1 where none is.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -39,11 +39,24 @@ Vector3 to_finite_vector(const Point_3& p)
   return to_finite_vector(to_vector3(p));
 }
 
+// A point of the surface with its unit normal.
+struct Surface_point
+{
+  Vector3 point, normal;
+};
+
+inline Vector3 unit_vector(const Vector3& v)
+{
+  const double l = length(v);
+  return l > 0 ? (1 / l) * v : Vector3();
+}
+
 // Onto the surface near the hint: the closest point on its facets, a point of the MLS surface over them, or one in
 // between, as the length of the facet says.
 struct Surface_projection
 {
   static constexpr bool IS_CONCURRENT = true;
+  static constexpr bool HAS_FACES = true;
 
   const Reference_surface& surface;
   double factor = 1;                     // from the flat mesh's units to the surface's, a power of two
@@ -68,6 +81,32 @@ struct Surface_projection
     const Vector3 p = mls->project(q, hint, closest);
     return l >= smooth_length ? p : closest.point + share_of_mls(l) * (p - closest.point);
   }
+  // The point near q with the normal there.
+  Surface_point nearest(const Vector3& q, Corner_table::Index& hint) const
+  {
+    const Vector3 p = (*this)(q, hint);
+    return {p, normal_at(hint, p)};
+  }
+  // The point over the facet of face f that has the barycentric coordinates b.
+  Surface_point at(Corner_table::Index f, const Mls_surface::Barycentric& b) const
+  {
+    const Corner_table::Face& t = surface.face_record(f);
+    Vector3 p;
+    for (int k = 0; k < 3; ++k) p += b[k] * surface.position(t.vertex[k]);
+    if (const double share = mls == nullptr ? 0. : share_of_mls(mls->mean_edge_length(f)))
+      p += share * (mls->point(f, b) - p);
+    return {(1 / factor) * p, normal_at(f, (1 / factor) * p)};
+  }
+  Vector3 normal_at(Corner_table::Index f, const Vector3& p) const
+  {
+    if (mls != nullptr && share_of_mls(mls->mean_edge_length(f)) > 0) {
+      const Vector3 n = mls->normal(f, mls->barycentric_of(f, closest_point_on_face(surface, factor * p, f)));
+      if (squared_length(n) > 0) return unit_vector(n);
+    }
+    return unit_vector(surface.cross_product(f));
+  }
+  // Whether its faces are those of the input.
+  bool is_input() const { return face_of_source != nullptr && rule == nullptr; }
   // From 0 to 1 without a kink.
   double share_of_mls(double length) const
   {
@@ -99,6 +138,7 @@ struct Surface_projection
 struct No_projection
 {
   static constexpr bool IS_CONCURRENT = true;
+  static constexpr bool HAS_FACES = false;
 
   Vector3 operator()(const Vector3& q, Corner_table::Index&) const { return q; }
   Corner_table::Index face_of(Corner_table::Index) const { return -1; }
@@ -111,6 +151,7 @@ template <class Functor, class Point_3>
 struct Point_functor_projection
 {
   static constexpr bool IS_CONCURRENT = true;
+  static constexpr bool HAS_FACES = false;
 
   const Functor& functor;
   double unit;
@@ -135,6 +176,7 @@ class Vertex_functor_projection
 
 public:
   static constexpr bool IS_CONCURRENT = false;
+  static constexpr bool HAS_FACES = false;
 
   Vertex_functor_projection(const Functor& functor, Vertex carrier, VertexPointMap vpm, double unit)
     : functor_(functor), carrier_(carrier), vpm_(vpm), unit_(unit), point_(get(vpm, carrier))

@@ -1,0 +1,442 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_FIT_PASS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FIT_PASS_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/Sweep_data.h>
+#include <CGAL/Inter_angle_remeshing/internal/angle_energy.h>
+#include <CGAL/Inter_angle_remeshing/internal/projection.h>
+#include <CGAL/Inter_angle_remeshing/internal/surface_walk.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+// Fits the faces, not only the vertices, to the surface: chords of a curved surface lie on one side of it, and least squares
+// move them to both sides. Samples of the result look for the nearest point of the surface, and samples of the surface for that
+// of the result; with the normal n of the surface, the distance r that a sample is to travel along it, the barycentric
+// coordinates b of the sample on its face and its share w of the area, the displacements x of the vertices minimise
+//
+//   Σ w (n · Σ b_i x_i - r)² + Σ a_i (TANGENTIAL |t_i - c_i|² + NORMAL h_i²),
+//
+// where t_i and h_i are the parts of x_i in and off the tangent plane, c_i is the tangential way to the centre of the neighbors,
+// and a_i is a third of the star's area. A few steps of conjugate gradients solve that well enough. Vertices on curves stay.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// A symmetric 3 by 3 matrix.
+struct Symmetric_matrix
+{
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+
+  // a I + b n nᵀ
+  static Symmetric_matrix axial(double a, double b, const Vector3& n)
+  {
+    return {a + b * n.x * n.x, b * n.x * n.y, b * n.x * n.z, a + b * n.y * n.y, b * n.y * n.z, a + b * n.z * n.z};
+  }
+  Vector3 operator*(const Vector3& v) const
+  {
+    return {xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z};
+  }
+  Symmetric_matrix& operator+=(const Symmetric_matrix& m)
+  {
+    xx += m.xx; xy += m.xy; xz += m.xz; yy += m.yy; yz += m.yz; zz += m.zz;
+    return *this;
+  }
+  // Zero where there is none.
+  Symmetric_matrix inverse() const
+  {
+    const double a = yy * zz - yz * yz, b = xz * yz - xy * zz, c = xy * yz - xz * yy;
+    const double determinant = xx * a + xy * b + xz * c;
+    if (!(determinant > 0)) return {};
+    const double i = 1 / determinant;
+    return {i * a, i * b, i * c, i * (xx * zz - xz * xz), i * (xy * xz - xx * yz), i * (xx * yy - xy * xy)};
+  }
+};
+
+// What the samples on a face say about its corners.
+class Face_equations
+{
+public:
+  void add(const std::array<double, 3>& b, const Vector3& n, double weight, double r)
+  {
+    const double outer[6] = {n.x * n.x, n.x * n.y, n.x * n.z, n.y * n.y, n.y * n.z, n.z * n.z};
+    for (int i = 0; i < 6; ++i) {
+      const double w = weight * b[PAIRS[i][0]] * b[PAIRS[i][1]];
+      for (int j = 0; j < 6; ++j) matrix_[i][j] += float(w * outer[j]);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const double w = weight * r * b[i];
+      right_[i][0] += float(w * n.x); right_[i][1] += float(w * n.y); right_[i][2] += float(w * n.z);
+    }
+  }
+  // The corners have moved by x: the samples have that much less to travel.
+  void subtract(const std::array<Vector3, 3>& x)
+  {
+    const std::array<Vector3, 3> product = *this * x;
+    for (int i = 0; i < 3; ++i) {
+      right_[i][0] -= float(product[i].x); right_[i][1] -= float(product[i].y); right_[i][2] -= float(product[i].z);
+    }
+  }
+  Symmetric_matrix diagonal(int i) const { return block(i); }
+  Vector3 right(int i) const { return {right_[i][0], right_[i][1], right_[i][2]}; }
+  // The rows of the three corners times x.
+  std::array<Vector3, 3> operator*(const std::array<Vector3, 3>& x) const
+  {
+    const Symmetric_matrix b01 = block(3), b12 = block(4), b20 = block(5);
+    return {block(0) * x[0] + b01 * x[1] + b20 * x[2], b01 * x[0] + block(1) * x[1] + b12 * x[2],
+            b20 * x[0] + b12 * x[1] + block(2) * x[2]};
+  }
+
+private:
+  static constexpr int PAIRS[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}};
+
+  Symmetric_matrix block(int i) const
+  {
+    const float* m = matrix_[i];
+    return {m[0], m[1], m[2], m[3], m[4], m[5]};
+  }
+
+  float matrix_[6][6] = {};      // Σ w b_i b_j n nᵀ, by pair of corners
+  float right_[3][3] = {};       // Σ w r b_i n
+};
+
+template <class ConcurrencyTag, class Context>
+class Surface_fit
+{
+  using Index = Remeshing_mesh::Index;
+  using Barycentric = std::array<double, 3>;
+  using Projector = std::decay_t<decltype(std::declval<Context>().projector)>;
+
+  static constexpr double TANGENTIAL = 0.2, NORMAL = 0.01;
+  static constexpr int STEPS = 3;
+  // The longest displacement, in target lengths, and how often one that does harm is halved.
+  static constexpr double LONGEST = 0.35;
+  static constexpr int TRIALS = 4;
+  // Where the surface has more than so many times the faces of the result, one sample stands for each.
+  static constexpr std::size_t MANY_FACES = 4;
+  // Samples that are nearer to the surface than this many target lengths, on the average, say that it is flat there: then
+  // vertices stay in its plane to the last bit.
+  static constexpr double FLAT = 1e-7;
+  static constexpr std::size_t BLOCK = 1024;
+
+public:
+  Surface_fit(Context& context, double length)
+    : context_(context), mesh_(context.mesh), length_(length), band_(context.recipe.lower_angle, context.recipe.upper_angle)
+  {}
+
+  // Does this many passes. Returns the number of vertices moved in the last one.
+  std::size_t run(unsigned passes)
+  {
+    data_.template read<ConcurrencyTag>(mesh_);
+    equations_.assign(mesh_.number_of_face_slots(), Face_equations());
+    sample_result();
+    if (context_.projector.is_input()) sample_surface();
+    std::size_t moved = 0;
+    for (unsigned pass = 0; pass < passes; ++pass) {
+      if (pass > 0) update_equations();
+      solve();
+      moved = displace();
+    }
+    data_.write(mesh_);
+    return moved;
+  }
+
+private:
+  static const std::array<Barycentric, 3>& places()
+  {
+    static const std::array<Barycentric, 3> result = {{{2. / 3, 1. / 6, 1. / 6}, {1. / 6, 2. / 3, 1. / 6}, {1. / 6, 1. / 6, 2. / 3}}};
+    return result;
+  }
+  Vector3 point_on_face(Index f, const Barycentric& b) const
+  {
+    const auto& v = mesh_.face_record(f).vertex;
+    return b[0] * mesh_.position(v[0]) + b[1] * mesh_.position(v[1]) + b[2] * mesh_.position(v[2]);
+  }
+  Vector3 cross_product(Index f) const
+  {
+    const auto& v = mesh_.face_record(f).vertex;
+    return triangle_cross(mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2]));
+  }
+
+  // Where on the surface the walk of a sample begins: where a corner was projected. One on a curve says nothing about the
+  // side of the curve; at last the input face is asked that the face descends from.
+  Index start(Index f, int k) const
+  {
+    const auto& v = mesh_.face_record(f).vertex;
+    for (int i = 0; i < 3; ++i)
+      if (!mesh_.is_on_curve(v[(k + i) % 3])) return mesh_.hint(v[(k + i) % 3]);
+    const Index source = context_.projector.face_of(mesh_.face_record(f).source);
+    return source >= 0 ? source : mesh_.hint(v[k]);
+  }
+
+  // The vectors `x` of the corners of face f.
+  std::array<Vector3, 3> corners(const std::vector<Vector3>& x, Index f) const
+  {
+    const auto& v = mesh_.face_record(f).vertex;
+    return {x[data_.rank(v[0])], x[data_.rank(v[1])], x[data_.rank(v[2])]};
+  }
+
+  void sample_result();
+  void sample_surface();
+  void update_equations();
+  std::vector<Index> faces_near_surface_faces() const;
+  void solve();
+  std::size_t displace();
+  bool keeps_orientation(std::size_t i, const Vector3& p, const Vector3& q) const;
+  bool is_in_band(std::size_t i, const Vector3& q) const;
+  double violation(std::size_t i, const Vector3& p) const;
+
+  Context& context_;
+  Remeshing_mesh& mesh_;
+  double length_;
+  Angle_band band_;                            // no displacement makes an angle out of it worse
+  Sweep_data data_;
+  std::vector<Face_equations> equations_;      // by face of the mesh
+  std::vector<Vector3> flat_normal_;           // by vertex in the order of `data_`; zero where the surface is not flat
+  std::vector<Vector3> displacement_;          // by vertex in the order of `data_`
+};
+
+template <class ConcurrencyTag, class Context>
+void Surface_fit<ConcurrencyTag, Context>::sample_result()
+{
+  for_each_block<ConcurrencyTag>(mesh_.number_of_face_slots(), BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (Index f = Index(begin); f < Index(end); ++f) {
+      if (!mesh_.is_face(f)) continue;
+      const Vector3 c = cross_product(f);
+      const double area = length(c) / 2;
+      if (!(area > 0)) continue;
+      for (int k = 0; k < 3; ++k) {
+        const Vector3 y = point_on_face(f, places()[k]);
+        Index hint = start(f, k);
+        const Surface_point s = context_.projector.nearest(y, hint);
+        if (squared_distance(s.point, y) > length_ * length_ || !(dot(s.normal, c) > 0)) continue;
+        equations_[f].add(places()[k], s.normal, area / 3, dot(s.point - y, s.normal));
+      }
+    }
+  });
+}
+
+// For each face of the surface a face of the mesh near by: vertices know where they were projected, and the rest of a patch
+// follows. Negative where no vertex is.
+template <class ConcurrencyTag, class Context>
+std::vector<Remeshing_mesh::Index> Surface_fit<ConcurrencyTag, Context>::faces_near_surface_faces() const
+{
+  const Reference_surface& surface = context_.projector.surface;
+  std::vector<Index> result(surface.number_of_faces(), -1), queue;
+  const auto seed = [&](Index f, Index g) {
+    if (result[f] >= 0) return;
+    result[f] = g;
+    queue.push_back(f);
+  };
+  for (Index v = 0; v < Index(mesh_.number_of_vertex_slots()); ++v)
+    if (mesh_.is_vertex(v) && !mesh_.is_on_curve(v)) seed(mesh_.hint(v), mesh_.face(mesh_.first(v)));
+  for (Index g = 0; g < Index(mesh_.number_of_face_slots()); ++g) {
+    if (!mesh_.is_face(g)) continue;
+    const auto& v = mesh_.face_record(g).vertex;
+    if (mesh_.is_on_curve(v[0]) && mesh_.is_on_curve(v[1]) && mesh_.is_on_curve(v[2]))
+      seed(context_.projector.face_of(mesh_.face_record(g).source), g);
+  }
+  for (std::size_t i = 0; i < queue.size(); ++i)
+    for (Index h = 4 * queue[i]; h < 4 * queue[i] + 3; ++h)
+      if (surface.opposite(h) >= 0 && !is_barrier(surface, h)) seed(surface.face(surface.opposite(h)), result[queue[i]]);
+  return result;
+}
+
+template <class ConcurrencyTag, class Context>
+void Surface_fit<ConcurrencyTag, Context>::sample_surface()
+{
+  struct Sample
+  {
+    Index face;
+    Barycentric place;
+    Vector3 normal;
+    double weight, r;
+  };
+  const Projector& projector = context_.projector;
+  const Reference_surface& surface = projector.surface;
+  const std::size_t n = surface.number_of_faces() > MANY_FACES * mesh_.number_of_live_faces() ? 1 : 3;
+  const std::vector<Index> first_face = faces_near_surface_faces();
+  const double unit = projector.factor;
+  std::vector<std::vector<Sample>> samples(number_of_blocks(surface.number_of_faces(), BLOCK));
+  for_each_block<ConcurrencyTag>(surface.number_of_faces(), BLOCK, [&](std::size_t begin, std::size_t end, std::size_t block) {
+    samples[block].reserve(n * (end - begin));
+    Index g = -1;
+    for (std::size_t i = n * begin; i < n * end; ++i) {
+      const Index f = Index(i / n);
+      if (i % n == 0) g = first_face[f];       // the others begin where the one before ended
+      const double area = length(surface.cross_product(f)) / (2 * unit * unit);
+      if (g < 0 || !(area > 0)) continue;
+      const Barycentric b = n == 1 ? Barycentric{1. / 3, 1. / 3, 1. / 3} : places()[i % n];
+      const Surface_point s = projector.at(f, b);
+      const Point_on_triangle c = walk_to_closest_point(mesh_, s.point, g);
+      if (squared_distance(c.point, s.point) > length_ * length_ || !(dot(s.normal, cross_product(g)) > 0)) continue;
+      const auto& v = mesh_.face_record(g).vertex;
+      samples[block].push_back({g, barycentric(c, mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])), s.normal,
+                                area / double(n), dot(s.point - c.point, s.normal)});
+    }
+  });
+  for (const std::vector<Sample>& block : samples)
+    for (const Sample& s : block) equations_[s.face].add(s.place, s.normal, s.weight, s.r);
+}
+
+// The vertices have moved: that much less is left for the samples to travel. They are not looked for anew.
+template <class ConcurrencyTag, class Context>
+void Surface_fit<ConcurrencyTag, Context>::update_equations()
+{
+  for_each_block<ConcurrencyTag>(mesh_.number_of_face_slots(), BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (Index f = Index(begin); f < Index(end); ++f)
+      if (mesh_.is_face(f)) equations_[f].subtract(corners(displacement_, f));
+  });
+  data_.write(mesh_);
+}
+
+// Conjugate gradients with the vertices' own blocks as preconditioner. Vertices that do not move have no displacement.
+template <class ConcurrencyTag, class Context>
+void Surface_fit<ConcurrencyTag, Context>::solve()
+{
+  const std::size_t n = data_.size();
+  std::vector<Symmetric_matrix> regular(n), inverse(n);
+  std::vector<Vector3> residual(n), preconditioned(n), direction(n), image(n);
+  std::vector<std::array<Vector3, 3>> products(mesh_.number_of_face_slots());
+  std::vector<double> parts(number_of_blocks(n, BLOCK));
+  displacement_.assign(n, Vector3());
+  flat_normal_.resize(n);
+  // The sum of function(i) over the vertices that move.
+  const auto sum_over_vertices = [&](const auto& function) {
+    for_each_block<ConcurrencyTag>(n, BLOCK, [&](std::size_t begin, std::size_t end, std::size_t block) {
+      double sum = 0;
+      for (std::size_t i = begin; i < end; ++i)
+        if (mesh_.is_free(data_.order[i])) sum += function(i);
+      parts[block] = sum;
+    });
+    return std::accumulate(parts.begin(), parts.end(), 0.);
+  };
+
+  double rho = sum_over_vertices([&](std::size_t i) {
+    const Index v = data_.order[i];
+    Vector3 normal, centre;
+    double area = 0;
+    Symmetric_matrix own;
+    Vector3 right;
+    mesh_.for_each_around(v, [&](Index h) {
+      const Face_equations& e = equations_[mesh_.face(h)];
+      const Vector3 c = cross_product(mesh_.face(h));
+      normal += c;
+      area += length(c) / 6;
+      centre += mesh_.position(mesh_.target(h));
+      own += e.diagonal(mesh_.corner(h));
+      right += e.right(mesh_.corner(h));
+    });
+    const Vector3 way = (1. / mesh_.valence(v)) * centre - mesh_.position(v), u = unit_vector(normal);
+    flat_normal_[i] = squared_length(right) <= FLAT * FLAT * length_ * length_ * area * area ? u : Vector3();
+    regular[i] = Symmetric_matrix::axial(TANGENTIAL * area, (NORMAL - TANGENTIAL) * area, u);
+    own += regular[i];
+    inverse[i] = own.inverse();
+    residual[i] = right + (TANGENTIAL * area) * (way - dot(way, u) * u);
+    direction[i] = preconditioned[i] = inverse[i] * residual[i];
+    return dot(residual[i], preconditioned[i]);
+  });
+  for (int step = 0; step < STEPS && rho > 0; ++step) {
+    for_each_block<ConcurrencyTag>(mesh_.number_of_face_slots(), BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (Index f = Index(begin); f < Index(end); ++f) {
+        if (!mesh_.is_face(f)) continue;
+        products[f] = equations_[f] * corners(direction, f);
+      }
+    });
+    const double curvature = sum_over_vertices([&](std::size_t i) {
+      Vector3 sum = regular[i] * direction[i];
+      mesh_.for_each_around(data_.order[i], [&](Index h) { sum += products[mesh_.face(h)][mesh_.corner(h)]; });
+      image[i] = sum;
+      return dot(sum, direction[i]);
+    });
+    if (!(curvature > 0)) break;
+    const double alpha = rho / curvature;
+    const double next_rho = sum_over_vertices([&](std::size_t i) {
+      displacement_[i] += alpha * direction[i];
+      residual[i] = residual[i] - alpha * image[i];
+      preconditioned[i] = inverse[i] * residual[i];
+      return dot(residual[i], preconditioned[i]);
+    });
+    const double beta = next_rho / rho;
+    rho = next_rho;
+    sum_over_vertices([&](std::size_t i) { direction[i] = preconditioned[i] + beta * direction[i]; return 0.; });
+  }
+}
+
+// Whether no face around vertex i turns by more than 60 degrees when it moves from p to q.
+template <class ConcurrencyTag, class Context>
+bool Surface_fit<ConcurrencyTag, Context>::keeps_orientation(std::size_t i, const Vector3& p, const Vector3& q) const
+{
+  return data_.all_of_link(i, [&](Index u, Index w) {
+    const Vector3 &a = data_.position[u], &b = data_.position[w];
+    return is_cosine_at_least(triangle_cross(p, a, b), triangle_cross(q, a, b), 0.5);
+  });
+}
+
+template <class ConcurrencyTag, class Context>
+bool Surface_fit<ConcurrencyTag, Context>::is_in_band(std::size_t i, const Vector3& q) const
+{
+  return data_.all_of_link(i, [&](Index u, Index w) { return band_.holds(q, data_.position[u], data_.position[w]); });
+}
+
+// How far the worst corner cosine around vertex i is out of the band if it lies at p.
+template <class ConcurrencyTag, class Context>
+double Surface_fit<ConcurrencyTag, Context>::violation(std::size_t i, const Vector3& p) const
+{
+  double worst = 0;
+  data_.all_of_link(i, [&](Index u, Index w) {
+    const Vector3 &a = data_.position[u], &b = data_.position[w];
+    for (const double c : {corner_cosine(p, a, b), corner_cosine(a, b, p), corner_cosine(b, p, a)})
+      worst = (std::max)(worst, band_.violation(c));
+    return true;
+  });
+  return worst;
+}
+
+template <class ConcurrencyTag, class Context>
+std::size_t Surface_fit<ConcurrencyTag, Context>::displace()
+{
+  data_.template for_each_coloured_block<ConcurrencyTag>([&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (displacement_[i] == Vector3()) continue;
+      const Vector3 p = data_.position[i];
+      displacement_[i] = displacement_[i] - dot(displacement_[i], flat_normal_[i]) * flat_normal_[i];
+      const double l = length(displacement_[i]), longest = LONGEST * length_;
+      if (l > longest) displacement_[i] = (longest / l) * displacement_[i];
+      double before = -1;
+      const auto does_harm = [&](const Vector3& q) {
+        if (!keeps_orientation(i, p, q)) return true;
+        if (is_in_band(i, q)) return false;
+        if (before < 0) before = violation(i, p);
+        return violation(i, q) > before;
+      };
+      int trial = 0;
+      for (; trial < TRIALS && does_harm(p + displacement_[i]); ++trial) displacement_[i] = 0.5 * displacement_[i];
+      if (trial == TRIALS) displacement_[i] = Vector3();
+      data_.position[i] += displacement_[i];
+    }
+  });
+  return data_.size() - std::size_t(std::count(displacement_.begin(), displacement_.end(), Vector3()));
+}
+
+// Returns the number of vertices moved.
+template <class ConcurrencyTag, class Context>
+std::size_t fit_pass(Context& context, double length, unsigned passes)
+{
+  return Surface_fit<ConcurrencyTag, Context>(context, length).run(passes);
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_FIT_PASS_H
