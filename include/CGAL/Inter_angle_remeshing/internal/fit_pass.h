@@ -123,19 +123,22 @@ class Surface_fit
   static constexpr int TRIALS = 4;
   // Where the surface has more than so many times the faces of the result, one sample stands for each.
   static constexpr std::size_t MANY_FACES = 4;
+  // Where the result has more than so many times the faces of the surface, its chords are too short to matter.
+  static constexpr std::size_t FINE = 5;
   // Samples that are nearer to the surface than this many target lengths, on the average, say that it is flat there: then
   // vertices stay in its plane to the last bit.
   static constexpr double FLAT = 1e-7;
-  static constexpr std::size_t BLOCK = 1024;
+  static constexpr std::size_t BLOCK = 1024, BLOCKS_AT_ONCE = 64;
 
 public:
   Surface_fit(Context& context, double length)
     : context_(context), mesh_(context.mesh), length_(length), band_(context.recipe.lower_angle, context.recipe.upper_angle)
   {}
 
-  // Does this many passes. Returns the number of vertices moved in the last one.
+  // Does this many passes, or none. Returns the number of vertices moved in the last one.
   std::size_t run(unsigned passes)
   {
+    if (mesh_.number_of_live_faces() > FINE * context_.projector.surface.number_of_faces()) return 0;
     data_.template read<ConcurrencyTag>(mesh_);
     equations_.assign(mesh_.number_of_face_slots(), Face_equations());
     sample_result();
@@ -266,9 +269,9 @@ void Surface_fit<ConcurrencyTag, Context>::sample_surface()
   const std::size_t n = surface.number_of_faces() > MANY_FACES * mesh_.number_of_live_faces() ? 1 : 3;
   const std::vector<Index> first_face = faces_near_surface_faces();
   const double unit = projector.factor;
-  std::vector<std::vector<Sample>> samples(number_of_blocks(surface.number_of_faces(), BLOCK));
-  for_each_block<ConcurrencyTag>(surface.number_of_faces(), BLOCK, [&](std::size_t begin, std::size_t end, std::size_t block) {
-    samples[block].reserve(n * (end - begin));
+  const auto sample_faces = [&](std::size_t begin, std::size_t end, std::vector<Sample>& samples) {
+    samples.clear();
+    samples.reserve(n * BLOCK);
     Index g = -1;
     for (std::size_t i = n * begin; i < n * end; ++i) {
       const Index f = Index(i / n);
@@ -280,12 +283,20 @@ void Surface_fit<ConcurrencyTag, Context>::sample_surface()
       const Point_on_triangle c = walk_to_closest_point(mesh_, s.point, g);
       if (squared_distance(c.point, s.point) > length_ * length_ || !(dot(s.normal, cross_product(g)) > 0)) continue;
       const auto& v = mesh_.face_record(g).vertex;
-      samples[block].push_back({g, barycentric(c, mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])), s.normal,
-                                area / double(n), dot(s.point - c.point, s.normal)});
+      samples.push_back({g, barycentric(c, mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])), s.normal,
+                         area / double(n), dot(s.point - c.point, s.normal)});
     }
-  });
-  for (const std::vector<Sample>& block : samples)
-    for (const Sample& s : block) equations_[s.face].add(s.place, s.normal, s.weight, s.r);
+  };
+  // Some at a time, which need little memory.
+  std::vector<std::vector<Sample>> samples(BLOCKS_AT_ONCE);
+  for (std::size_t first = 0; first < surface.number_of_faces(); first += BLOCKS_AT_ONCE * BLOCK) {
+    const std::size_t count = (std::min)(BLOCKS_AT_ONCE * BLOCK, surface.number_of_faces() - first);
+    for_each_block<ConcurrencyTag>(count, BLOCK, [&](std::size_t begin, std::size_t end, std::size_t block) {
+      sample_faces(first + begin, first + end, samples[block]);
+    });
+    for (std::size_t block = 0; block < number_of_blocks(count, BLOCK); ++block)
+      for (const Sample& s : samples[block]) equations_[s.face].add(s.place, s.normal, s.weight, s.r);
+  }
 }
 
 // The vertices have moved: that much less is left for the samples to travel. They are not looked for anew.
@@ -347,10 +358,8 @@ void Surface_fit<ConcurrencyTag, Context>::solve()
   });
   for (int step = 0; step < STEPS && rho > 0; ++step) {
     for_each_block<ConcurrencyTag>(mesh_.number_of_face_slots(), BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
-      for (Index f = Index(begin); f < Index(end); ++f) {
-        if (!mesh_.is_face(f)) continue;
-        products[f] = equations_[f] * corners(direction, f);
-      }
+      for (Index f = Index(begin); f < Index(end); ++f)
+        if (mesh_.is_face(f)) products[f] = equations_[f] * corners(direction, f);
     });
     const double curvature = sum_over_vertices([&](std::size_t i) {
       Vector3 sum = regular[i] * direction[i];
