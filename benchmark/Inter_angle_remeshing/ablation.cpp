@@ -108,7 +108,12 @@ void print_table(const std::string& path)
   row("default without glides", IAR::recipe(recipe));
   recipe = IAR::Recipe();
   recipe.clean_up = false;
-  row("default without the clean-up", IAR::recipe(recipe));
+  row("default without the clean-up and the fit", IAR::recipe(recipe));
+  recipe = IAR::Recipe();
+  recipe.fits = 0;
+  row("default without the fit", IAR::recipe(recipe));
+  recipe.fits = 2;
+  row("default with two passes of the fit", IAR::recipe(recipe));
   recipe = IAR::Recipe();
   recipe.last_sweeps = recipe.sweeps;
   row("default with 3 sweeps throughout", IAR::recipe(recipe));

@@ -29,11 +29,6 @@ public:
     : lower_cosine_(std::cos(lower * (CGAL_PI / 180))), upper_cosine_(std::cos(upper * (CGAL_PI / 180)))
   {}
 
-  // How far the angle with this cosine is out of the band, as a difference of cosines; 0 or less: it lies within.
-  double violation(double corner_cosine) const
-  {
-    return (std::max)(corner_cosine - lower_cosine_, upper_cosine_ - corner_cosine);
-  }
   double energy(double corner_cosine) const
   {
     const double below = (std::max)(0., corner_cosine - lower_cosine_), above = (std::max)(0., upper_cosine_ - corner_cosine);

@@ -116,15 +116,15 @@ class Surface_fit
   using Barycentric = std::array<double, 3>;
   using Projector = std::decay_t<decltype(std::declval<Context>().projector)>;
 
-  static constexpr double TANGENTIAL = 0.2, NORMAL = 0.01;
+  static constexpr double TANGENTIAL = 0.5, NORMAL = 0.01;
   static constexpr int STEPS = 3;
   // The longest displacement, in target lengths, and how often one that does harm is halved.
   static constexpr double LONGEST = 0.35;
   static constexpr int TRIALS = 4;
   // Where the surface has more than so many times the faces of the result, one sample stands for each.
   static constexpr std::size_t MANY_FACES = 4;
-  // Where the result has more than so many times the faces of the surface, its chords are too short to matter.
-  static constexpr std::size_t FINE = 5;
+  // Where the target length is less than this part of the mean altitude of the surface's faces, chords are too short to matter.
+  static constexpr double FINE = 0.5;
   // Samples that are nearer to the surface than this many target lengths, on the average, say that it is flat there: then
   // vertices stay in its plane to the last bit.
   static constexpr double FLAT = 1e-7;
@@ -138,7 +138,7 @@ public:
   // Does this many passes, or none. Returns the number of vertices moved in the last one.
   std::size_t run(unsigned passes)
   {
-    if (mesh_.number_of_live_faces() > FINE * context_.projector.surface.number_of_faces()) return 0;
+    if (length_ < FINE * mean_altitude_of_surface()) return 0;
     data_.template read<ConcurrencyTag>(mesh_);
     equations_.assign(mesh_.number_of_face_slots(), Face_equations());
     sample_result();
@@ -170,6 +170,21 @@ private:
     return triangle_cross(mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2]));
   }
 
+  // The least altitude of a face, the mean of all.
+  double mean_altitude_of_surface() const
+  {
+    const Reference_surface& surface = context_.projector.surface;
+    double sum = 0;
+    for (Index f = 0; f < Index(surface.number_of_faces()); ++f) {
+      const auto& v = surface.face_record(f).vertex;
+      const double longest = (std::max)({squared_distance(surface.position(v[0]), surface.position(v[1])),
+                                         squared_distance(surface.position(v[1]), surface.position(v[2])),
+                                         squared_distance(surface.position(v[2]), surface.position(v[0]))});
+      if (longest > 0) sum += length(surface.cross_product(f)) / std::sqrt(longest);
+    }
+    return sum / (double(surface.number_of_faces()) * context_.projector.factor);
+  }
+
   // Where on the surface the walk of a sample begins: where a corner was projected. One on a curve says nothing about the
   // side of the curve; at last the input face is asked that the face descends from.
   Index start(Index f, int k) const
@@ -196,12 +211,12 @@ private:
   std::size_t displace();
   bool keeps_orientation(std::size_t i, const Vector3& p, const Vector3& q) const;
   bool is_in_band(std::size_t i, const Vector3& q) const;
-  double violation(std::size_t i, const Vector3& p) const;
+  double energy(std::size_t i, const Vector3& p) const;
 
   Context& context_;
   Remeshing_mesh& mesh_;
   double length_;
-  Angle_band band_;                            // no displacement makes an angle out of it worse
+  Angle_band band_;                            // what lies out of it, displacements make no worse
   Sweep_data data_;
   std::vector<Face_equations> equations_;      // by face of the mesh
   std::vector<Vector3> flat_normal_;           // by vertex in the order of `data_`; zero where the surface is not flat
@@ -269,33 +284,37 @@ void Surface_fit<ConcurrencyTag, Context>::sample_surface()
   const std::size_t n = surface.number_of_faces() > MANY_FACES * mesh_.number_of_live_faces() ? 1 : 3;
   const std::vector<Index> first_face = faces_near_surface_faces();
   const double unit = projector.factor;
-  const auto sample_faces = [&](std::size_t begin, std::size_t end, std::vector<Sample>& samples) {
-    samples.clear();
-    samples.reserve(n * BLOCK);
-    Index g = -1;
-    for (std::size_t i = n * begin; i < n * end; ++i) {
-      const Index f = Index(i / n);
-      if (i % n == 0) g = first_face[f];       // the others begin where the one before ended
+  const auto sample_faces = [&](std::size_t begin, std::size_t end, const auto& take) {
+    for (Index f = Index(begin); f < Index(end); ++f) {
       const double area = length(surface.cross_product(f)) / (2 * unit * unit);
+      Index g = first_face[f];
       if (g < 0 || !(area > 0)) continue;
-      const Barycentric b = n == 1 ? Barycentric{1. / 3, 1. / 3, 1. / 3} : places()[i % n];
-      const Surface_point s = projector.at(f, b);
-      const Point_on_triangle c = walk_to_closest_point(mesh_, s.point, g);
-      if (squared_distance(c.point, s.point) > length_ * length_ || !(dot(s.normal, cross_product(g)) > 0)) continue;
-      const auto& v = mesh_.face_record(g).vertex;
-      samples.push_back({g, barycentric(c, mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])), s.normal,
-                         area / double(n), dot(s.point - c.point, s.normal)});
+      for (std::size_t k = 0; k < n; ++k) {        // the second begins where the first one ended
+        const Barycentric b = n == 1 ? Barycentric{1. / 3, 1. / 3, 1. / 3} : places()[k];
+        const Surface_point s = projector.at(f, b);
+        const Point_on_triangle c = walk_to_closest_point(mesh_, s.point, g);
+        if (squared_distance(c.point, s.point) > length_ * length_ || !(dot(s.normal, cross_product(g)) > 0)) continue;
+        const auto& v = mesh_.face_record(g).vertex;
+        take(Sample{g, barycentric(c, mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])), s.normal,
+                    area / double(n), dot(s.point - c.point, s.normal)});
+      }
     }
   };
-  // Some at a time, which need little memory.
-  std::vector<std::vector<Sample>> samples(BLOCKS_AT_ONCE);
-  for (std::size_t first = 0; first < surface.number_of_faces(); first += BLOCKS_AT_ONCE * BLOCK) {
-    const std::size_t count = (std::min)(BLOCKS_AT_ONCE * BLOCK, surface.number_of_faces() - first);
-    for_each_block<ConcurrencyTag>(count, BLOCK, [&](std::size_t begin, std::size_t end, std::size_t block) {
-      sample_faces(first + begin, first + end, samples[block]);
-    });
-    for (std::size_t block = 0; block < number_of_blocks(count, BLOCK); ++block)
-      for (const Sample& s : samples[block]) equations_[s.face].add(s.place, s.normal, s.weight, s.r);
+  const auto add = [&](const Sample& s) { equations_[s.face].add(s.place, s.normal, s.weight, s.r); };
+  if constexpr (!is_parallel<ConcurrencyTag>())
+    sample_faces(0, surface.number_of_faces(), add);
+  else {
+    // In the same order; some blocks at a time, which need little memory.
+    std::vector<std::vector<Sample>> samples(BLOCKS_AT_ONCE);
+    for (std::size_t first = 0; first < surface.number_of_faces(); first += BLOCKS_AT_ONCE * BLOCK) {
+      const std::size_t count = (std::min)(BLOCKS_AT_ONCE * BLOCK, surface.number_of_faces() - first);
+      for_each_block<ConcurrencyTag>(count, BLOCK, [&](std::size_t begin, std::size_t end, std::size_t block) {
+        samples[block].clear();
+        sample_faces(first + begin, first + end, [&](const Sample& s) { samples[block].push_back(s); });
+      });
+      for (std::size_t block = 0; block < number_of_blocks(count, BLOCK); ++block)
+        for (const Sample& s : samples[block]) add(s);
+    }
   }
 }
 
@@ -381,13 +400,13 @@ void Surface_fit<ConcurrencyTag, Context>::solve()
   }
 }
 
-// Whether no face around vertex i turns by more than 60 degrees when it moves from p to q.
+// Whether no face around vertex i turns by more than 26 degrees when it moves from p to q.
 template <class ConcurrencyTag, class Context>
 bool Surface_fit<ConcurrencyTag, Context>::keeps_orientation(std::size_t i, const Vector3& p, const Vector3& q) const
 {
   return data_.all_of_link(i, [&](Index u, Index w) {
     const Vector3 &a = data_.position[u], &b = data_.position[w];
-    return is_cosine_at_least(triangle_cross(p, a, b), triangle_cross(q, a, b), 0.5);
+    return is_cosine_at_least(triangle_cross(p, a, b), triangle_cross(q, a, b), LITTLE_TURN_COSINE);
   });
 }
 
@@ -397,18 +416,17 @@ bool Surface_fit<ConcurrencyTag, Context>::is_in_band(std::size_t i, const Vecto
   return data_.all_of_link(i, [&](Index u, Index w) { return band_.holds(q, data_.position[u], data_.position[w]); });
 }
 
-// How far the worst corner cosine around vertex i is out of the band if it lies at p.
+// The energy of the angles around vertex i if it lies at p.
 template <class ConcurrencyTag, class Context>
-double Surface_fit<ConcurrencyTag, Context>::violation(std::size_t i, const Vector3& p) const
+double Surface_fit<ConcurrencyTag, Context>::energy(std::size_t i, const Vector3& p) const
 {
-  double worst = 0;
+  double sum = 0;
   data_.all_of_link(i, [&](Index u, Index w) {
     const Vector3 &a = data_.position[u], &b = data_.position[w];
-    for (const double c : {corner_cosine(p, a, b), corner_cosine(a, b, p), corner_cosine(b, p, a)})
-      worst = (std::max)(worst, band_.violation(c));
+    for (const double c : {corner_cosine(p, a, b), corner_cosine(a, b, p), corner_cosine(b, p, a)}) sum += band_.energy(c);
     return true;
   });
-  return worst;
+  return sum;
 }
 
 template <class ConcurrencyTag, class Context>
@@ -425,8 +443,8 @@ std::size_t Surface_fit<ConcurrencyTag, Context>::displace()
       const auto does_harm = [&](const Vector3& q) {
         if (!keeps_orientation(i, p, q)) return true;
         if (is_in_band(i, q)) return false;
-        if (before < 0) before = violation(i, p);
-        return violation(i, q) > before;
+        if (before < 0) before = energy(i, p);
+        return energy(i, q) > before;
       };
       int trial = 0;
       for (; trial < TRIALS && does_harm(p + displacement_[i]); ++trial) displacement_[i] = 0.5 * displacement_[i];
