@@ -72,9 +72,10 @@ struct Recipe
   double grading = 0.2;
   /// whether valences of 4 and less, and angles out of the band, are mended after the last iteration
   bool clean_up = true;
-  /// passes that fit the faces to the surface by least squares, as a part of the clean-up: the vertices then lie on both sides of
-  /// it, and the mean distance falls by a third and more; a second pass gains a percent. Vertices on the border and on features stay. 0 leaves every vertex on the
-  /// surface, as does a projection functor that is none of this package's.
+  /// passes that fit the faces to the surface by least squares, as a part of the clean-up: the vertices then lie on both
+  /// sides of it, and the mean distance falls by a third and more; a second pass gains a percent. Vertices on the border
+  /// and on features stay. 0 leaves every vertex on the surface, as does a projection functor that is none of this
+  /// package's.
   unsigned fits = 1;
   /// the band, in degrees, into which the clean-up moves the angles, as far as moving vertices along the surface can:
   /// its lower bound, under 60. Faces that touch the border or a feature are moved into [35, 100] if that is wider.

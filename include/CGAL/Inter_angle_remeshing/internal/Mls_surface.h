@@ -121,7 +121,6 @@ private:
   void fit_fan(Index first, std::vector<Vector3>& offsets);
   void fit_sector(const std::vector<Index>& sector, std::vector<Vector3>& offsets);
   void find_rises();
-  double least_altitude(Index f) const;
   Vector3 feature_offset(Index f, int from, int to) const;
 
   const Reference_surface* surface_;
@@ -307,13 +306,6 @@ inline void Mls_surface::find_rises()
     }
 }
 
-inline double Mls_surface::least_altitude(Index f) const
-{
-  const double longest = (std::max)({squared_length(corner(f, 1) - corner(f, 0)), squared_length(corner(f, 2) - corner(f, 1)),
-                                     squared_length(corner(f, 0) - corner(f, 2))});
-  return longest > 0 ? length(surface_->cross_product(f)) / std::sqrt(longest) : 0;
-}
-
 // d for a feature edge. The curve must not cross the faces beside it, which may be thinner than it is high.
 inline Vector3 Mls_surface::feature_offset(Index f, int from, int to) const
 {
@@ -321,8 +313,8 @@ inline Vector3 Mls_surface::feature_offset(Index f, int from, int to) const
   if (t == Vector3()) return {};
   const Vector3 e = corner(f, to) - corner(f, from);
   const Index across = surface_->opposite(4 * f + (to == (from + 1) % 3 ? from : to));
-  double bound = (std::min)(STEEPEST * length(e), least_altitude(f));
-  if (across >= 0) bound = (std::min)(bound, least_altitude(across >> 2));
+  double bound = (std::min)(STEEPEST * length(e), surface_->least_altitude(f));
+  if (across >= 0) bound = (std::min)(bound, surface_->least_altitude(across >> 2));
   return clamped(dot(t, e) * t - e, bound);
 }
 

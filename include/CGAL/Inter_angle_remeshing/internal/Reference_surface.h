@@ -54,6 +54,15 @@ public:
     return triangle_cross(position_[t.vertex[0]], position_[t.vertex[1]], position_[t.vertex[2]]);
   }
 
+  // The altitude of face f over its longest edge.
+  double least_altitude(Index f) const
+  {
+    const Face& t = face_record(f);
+    const Vector3 &a = position_[t.vertex[0]], &b = position_[t.vertex[1]], &c = position_[t.vertex[2]];
+    const double longest = (std::max)({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)});
+    return longest > 0 ? length(triangle_cross(a, b, c)) / std::sqrt(longest) : 0.;
+  }
+
   // Walks from face f over the surface to the closest point; f becomes the face it ends on.
   Point_on_triangle closest_point_near(const Vector3& q, Index& f) const { return walk_to_closest_point(*this, q, f); }
   Vector3 walk(const Vector3& q, Index& f) const { return closest_point_near(q, f).point; }

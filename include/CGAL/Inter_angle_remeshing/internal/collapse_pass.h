@@ -51,8 +51,8 @@ bool keeps_curve(const Context& context, Remeshing_mesh::Index h)
   const Index u = mesh.source(mesh.opposite(beyond));
   if (beyond == h || u == b) return false;
   const Vector3 &p = mesh.position(b), &q = mesh.position(u);
-  const double limit = context.recipe.split_ratio *
-                       (std::min)(target_on_curve(context, h < 0 ? ~h : h), target_on_curve(context, beyond < 0 ? ~beyond : beyond));
+  const auto target = [&](Index k) { return target_on_curve(context, k < 0 ? ~k : k); };
+  const double limit = context.recipe.split_ratio * (std::min)(target(h), target(beyond));
   if (squared_distance(p, q) > limit * limit) return false;
   const Remeshing_mesh::Curve_place removed = mesh.curve_place(h), rest = mesh.curve_place(beyond);
   return context.curves.deviation(removed.curve, removed.target, removed.origin + rest.target - rest.origin, p, q) <=

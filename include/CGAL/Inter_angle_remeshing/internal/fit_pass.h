@@ -156,7 +156,8 @@ public:
 private:
   static const std::array<Barycentric, 3>& places()
   {
-    static const std::array<Barycentric, 3> result = {{{2. / 3, 1. / 6, 1. / 6}, {1. / 6, 2. / 3, 1. / 6}, {1. / 6, 1. / 6, 2. / 3}}};
+    constexpr double A = 2. / 3, B = 1. / 6;
+    static const std::array<Barycentric, 3> result = {{{A, B, B}, {B, A, B}, {B, B, A}}};
     return result;
   }
   Vector3 point_on_face(Index f, const Barycentric& b) const
@@ -170,18 +171,11 @@ private:
     return triangle_cross(mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2]));
   }
 
-  // The least altitude of a face, the mean of all.
   double mean_altitude_of_surface() const
   {
     const Reference_surface& surface = context_.projector.surface;
     double sum = 0;
-    for (Index f = 0; f < Index(surface.number_of_faces()); ++f) {
-      const auto& v = surface.face_record(f).vertex;
-      const double longest = (std::max)({squared_distance(surface.position(v[0]), surface.position(v[1])),
-                                         squared_distance(surface.position(v[1]), surface.position(v[2])),
-                                         squared_distance(surface.position(v[2]), surface.position(v[0]))});
-      if (longest > 0) sum += length(surface.cross_product(f)) / std::sqrt(longest);
-    }
+    for (Index f = 0; f < Index(surface.number_of_faces()); ++f) sum += surface.least_altitude(f);
     return sum / (double(surface.number_of_faces()) * context_.projector.factor);
   }
 

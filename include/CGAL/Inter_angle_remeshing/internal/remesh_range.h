@@ -25,7 +25,8 @@
 #include <utility>
 #include <vector>
 
-// From a range and its parameters to the result: reads the range and its marks, runs the remesher, writes the result back. The user's mesh is changed in the last step alone.
+// From a range and its parameters to the result: reads the range and its marks, runs the remesher, writes the result back.
+// The user's mesh is changed in the last step alone.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {

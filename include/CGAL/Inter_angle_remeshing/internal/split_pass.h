@@ -108,7 +108,8 @@ std::size_t split_pass(Context& context, std::vector<Remeshing_mesh::Index>& lon
                              : 0.5 * (mesh.position(mesh.origin(h)) + mesh.position(mesh.target(h)));
   };
   const auto is_too_long = [&](Index h) {
-    return mesh.has_place(h) ? is_too_long_on_curve(context, h) : mesh.squared_edge_length(h) > context.squared_length_limit(mesh.origin(h), mesh.target(h));
+    return mesh.has_place(h) ? is_too_long_on_curve(context, h)
+                             : mesh.squared_edge_length(h) > context.squared_length_limit(mesh.origin(h), mesh.target(h));
   };
   const std::vector<Index> curve_edges = long_curve_edges<ConcurrencyTag>(context);
   long_edges.insert(long_edges.end(), curve_edges.begin(), curve_edges.end());
