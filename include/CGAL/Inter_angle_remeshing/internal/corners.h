@@ -142,7 +142,8 @@ inline void lock_corners(Remeshing_mesh& mesh, double scale)
     turn.cosine = cosine_of_turn(turn.arms[0], turn.arms[1]);
     if (turn.cosine < CORNER_COSINE) turns.push_back(turn);
   }
-  std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.cosine < b.cosine; });
+  std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) {
+    return a.cosine != b.cosine ? a.cosine < b.cosine : a.vertex < b.vertex; });
   for (const Turn& turn : turns) {
     const Vector3& p = mesh.position(turn.vertex);
     bool is_left_out = false;

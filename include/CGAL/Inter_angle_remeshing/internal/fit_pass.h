@@ -141,6 +141,7 @@ public:
     if (length_ < FINE * mean_altitude_of_surface()) return 0;
     data_.template read<ConcurrencyTag>(mesh_);
     equations_.assign(mesh_.number_of_face_slots(), Face_equations());
+    nearest_faces_.assign(3 * mesh_.number_of_face_slots(), -1);
     sample_result();
     if (context_.projector.is_input()) sample_surface();
     std::size_t moved = 0;
@@ -213,6 +214,7 @@ private:
   Angle_band band_;                            // what lies out of it, displacements make no worse
   Sweep_data data_;
   std::vector<Face_equations> equations_;      // by face of the mesh
+  std::vector<Index> nearest_faces_;           // of the surface, three a face of the mesh
   std::vector<Vector3> flat_normal_;           // by vertex in the order of `data_`; zero where the surface is not flat
   std::vector<Vector3> displacement_;          // by vertex in the order of `data_`
 };
@@ -228,7 +230,8 @@ void Surface_fit<ConcurrencyTag, Context>::sample_result()
       if (!(area > 0)) continue;
       for (int k = 0; k < 3; ++k) {
         const Vector3 y = point_on_face(f, places()[k]);
-        Index hint = start(f, k);
+        Index& hint = nearest_faces_[3 * f + k];
+        hint = start(f, k);
         const Surface_point s = context_.projector.nearest(y, hint);
         if (squared_distance(s.point, y) > length_ * length_ || !(dot(s.normal, c) > 0)) continue;
         equations_[f].add(places()[k], s.normal, area / 3, dot(s.point - y, s.normal));
@@ -237,8 +240,8 @@ void Surface_fit<ConcurrencyTag, Context>::sample_result()
   });
 }
 
-// For each face of the surface a face of the mesh near by: vertices know where they were projected, and the rest of a patch
-// follows. Negative where no vertex is.
+// For each face of the surface a face of the mesh near by: one of those whose samples it is nearest to, or what a face beside it
+// in its patch has. Negative where no sample is.
 template <class ConcurrencyTag, class Context>
 std::vector<Remeshing_mesh::Index> Surface_fit<ConcurrencyTag, Context>::faces_near_surface_faces() const
 {
@@ -249,14 +252,8 @@ std::vector<Remeshing_mesh::Index> Surface_fit<ConcurrencyTag, Context>::faces_n
     result[f] = g;
     queue.push_back(f);
   };
-  for (Index v = 0; v < Index(mesh_.number_of_vertex_slots()); ++v)
-    if (mesh_.is_vertex(v) && !mesh_.is_on_curve(v)) seed(mesh_.hint(v), mesh_.face(mesh_.first(v)));
-  for (Index g = 0; g < Index(mesh_.number_of_face_slots()); ++g) {
-    if (!mesh_.is_face(g)) continue;
-    const auto& v = mesh_.face_record(g).vertex;
-    if (mesh_.is_on_curve(v[0]) && mesh_.is_on_curve(v[1]) && mesh_.is_on_curve(v[2]))
-      seed(context_.projector.face_of(mesh_.face_record(g).source), g);
-  }
+  for (std::size_t i = 0; i < nearest_faces_.size(); ++i)
+    if (nearest_faces_[i] >= 0) seed(nearest_faces_[i], Index(i / 3));
   for (std::size_t i = 0; i < queue.size(); ++i)
     for (Index h = 4 * queue[i]; h < 4 * queue[i] + 3; ++h)
       if (surface.opposite(h) >= 0 && !is_barrier(surface, h)) seed(surface.face(surface.opposite(h)), result[queue[i]]);
