@@ -70,7 +70,7 @@ struct Recipe
   /// are small or strips narrow, as a slope: on CAD models, as the dihedral angles tell them, such edges bring the target near
   /// them down to their own length, but not below 0.3 of it. That costs faces; 0 turns it off.
   double grading = 0.2;
-  /// whether valences of 4 and less, and angles out of the band, are mended after the last iteration
+  /// whether, after the last iteration, valences of 4 and less and angles out of the band are mended, and faces fitted
   bool clean_up = true;
   /// passes that fit the faces to the surface by least squares, as a part of the clean-up: the vertices then lie on both
   /// sides of it, and the mean distance falls by a third and more; a second pass gains a percent. Vertices on the border

@@ -21,6 +21,22 @@ namespace internal {
 // A chain of border or feature edges that turns by this angle or more has a corner there. (Cosine of 45 degrees.)
 constexpr double CORNER_COSINE = 0.7071067811865476;
 
+// No search along a curve looks at more vertices, whatever its reach.
+constexpr int MAXIMUM_CURVE_STEPS = 1000;
+
+// The vertex after u on the curve that comes from `previous`; negative where the curve ends or branches at u.
+inline Remeshing_mesh::Index next_along_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index previous, Remeshing_mesh::Index u)
+{
+  Remeshing_mesh::Index following = -1;
+  int edges = 0;
+  for_each_curve_halfedge(mesh, u, [&](Remeshing_mesh::Index h) {
+    const Remeshing_mesh::Index w = mesh.source(mesh.opposite(h));
+    ++edges;
+    if (w != previous) following = w;
+  });
+  return edges == 2 ? following : Remeshing_mesh::Index(-1);
+}
+
 // The way from v over its curve neighbor u to the first vertex that does not lie where v does.
 struct Curve_arm
 {
@@ -30,19 +46,12 @@ struct Curve_arm
 
 inline Curve_arm curve_arm(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, Remeshing_mesh::Index u)
 {
-  constexpr int MAXIMUM_STEPS = 64;
   Curve_arm arm;
   Remeshing_mesh::Index previous = v;
-  for (int step = 0; step < MAXIMUM_STEPS && mesh.position(u) == mesh.position(v); ++step) {
+  for (int step = 0; step < MAXIMUM_CURVE_STEPS && mesh.position(u) == mesh.position(v); ++step) {
     arm.passes_locked = arm.passes_locked || mesh.is_locked(u);
-    Remeshing_mesh::Index following = v;
-    int edges = 0;
-    for_each_curve_halfedge(mesh, u, [&](Remeshing_mesh::Index h) {
-      const Remeshing_mesh::Index w = mesh.source(mesh.opposite(h));
-      ++edges;
-      if (w != previous) following = w;
-    });
-    if (edges != 2 || following == v) break;
+    const Remeshing_mesh::Index following = next_along_curve(mesh, previous, u);
+    if (following < 0 || following == v) break;
     previous = u;
     u = following;
   }
@@ -62,17 +71,12 @@ void walk_along_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, Remes
 {
   using Index = Remeshing_mesh::Index;
   Index previous = v;
-  for (double way = 0; way < reach;) {
+  double way = 0;
+  for (int step = 0; step < MAXIMUM_CURVE_STEPS && way < reach; ++step) {
     way += length(mesh.position(u) - mesh.position(previous));
     if (!function(previous, u, way)) return;
-    Index following = v;
-    int edges = 0;
-    for_each_curve_halfedge(mesh, u, [&](Index h) {
-      const Index w = mesh.source(mesh.opposite(h));
-      ++edges;
-      if (w != previous) following = w;
-    });
-    if (edges != 2 || following == v) return;
+    const Index following = next_along_curve(mesh, previous, u);
+    if (following < 0 || following == v) return;
     previous = u;
     u = following;
   }

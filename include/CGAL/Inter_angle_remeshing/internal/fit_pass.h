@@ -202,6 +202,7 @@ private:
   void sample_surface();
   void update_equations();
   std::vector<Index> faces_near_surface_faces() const;
+  double set_up(std::size_t i);
   void solve();
   std::size_t displace();
   bool keeps_orientation(std::size_t i, const Vector3& p, const Vector3& q) const;
@@ -215,8 +216,11 @@ private:
   Sweep_data data_;
   std::vector<Face_equations> equations_;      // by face of the mesh
   std::vector<Index> nearest_faces_;           // of the surface, three a face of the mesh
-  std::vector<Vector3> flat_normal_;           // by vertex in the order of `data_`; zero where the surface is not flat
-  std::vector<Vector3> displacement_;          // by vertex in the order of `data_`
+  // By vertex, in the order of `data_`:
+  std::vector<Vector3> flat_normal_;           // zero where the surface is not flat
+  std::vector<Vector3> displacement_;
+  std::vector<Symmetric_matrix> regular_, inverse_;            // what holds it where it is; the inverse of its own block
+  std::vector<Vector3> residual_, preconditioned_, direction_; // of the conjugate gradients
 };
 
 template <class ConcurrencyTag, class Context>
@@ -320,17 +324,46 @@ void Surface_fit<ConcurrencyTag, Context>::update_equations()
   data_.write(mesh_);
 }
 
+// The equations of vertex i, from its faces' ones; returns its part of the first residual's square.
+template <class ConcurrencyTag, class Context>
+double Surface_fit<ConcurrencyTag, Context>::set_up(std::size_t i)
+{
+  const Index v = data_.order[i];
+  Vector3 normal, centre;
+  double area = 0;
+  Symmetric_matrix own;
+  Vector3 right;
+  mesh_.for_each_around(v, [&](Index h) {
+    const Face_equations& e = equations_[mesh_.face(h)];
+    const Vector3 c = cross_product(mesh_.face(h));
+    normal += c;
+    area += length(c) / 6;
+    centre += mesh_.position(mesh_.target(h));
+    own += e.diagonal(mesh_.corner(h));
+    right += e.right(mesh_.corner(h));
+  });
+  const Vector3 way = (1. / mesh_.valence(v)) * centre - mesh_.position(v), u = unit_vector(normal);
+  flat_normal_[i] = squared_length(right) <= FLAT * FLAT * length_ * length_ * area * area ? u : Vector3();
+  regular_[i] = Symmetric_matrix::axial(TANGENTIAL * area, (NORMAL - TANGENTIAL) * area, u);
+  own += regular_[i];
+  inverse_[i] = own.inverse();
+  residual_[i] = right + (TANGENTIAL * area) * (way - dot(way, u) * u);
+  direction_[i] = preconditioned_[i] = inverse_[i] * residual_[i];
+  return dot(residual_[i], preconditioned_[i]);
+}
+
 // Conjugate gradients with the vertices' own blocks as preconditioner. Vertices that do not move have no displacement.
 template <class ConcurrencyTag, class Context>
 void Surface_fit<ConcurrencyTag, Context>::solve()
 {
   const std::size_t n = data_.size();
-  std::vector<Symmetric_matrix> regular(n), inverse(n);
-  std::vector<Vector3> residual(n), preconditioned(n), direction(n), image(n);
+  for (std::vector<Symmetric_matrix>* m : {&regular_, &inverse_}) m->resize(n);
+  for (std::vector<Vector3>* x : {&flat_normal_, &residual_, &preconditioned_}) x->resize(n);
+  direction_.assign(n, Vector3());
+  std::vector<Vector3> image(n);
   std::vector<std::array<Vector3, 3>> products(mesh_.number_of_face_slots());
   std::vector<double> parts(number_of_blocks(n, BLOCK));
   displacement_.assign(n, Vector3());
-  flat_normal_.resize(n);
   // The sum of function(i) over the vertices that move.
   const auto sum_over_vertices = [&](const auto& function) {
     for_each_block<ConcurrencyTag>(n, BLOCK, [&](std::size_t begin, std::size_t end, std::size_t block) {
@@ -342,52 +375,29 @@ void Surface_fit<ConcurrencyTag, Context>::solve()
     return std::accumulate(parts.begin(), parts.end(), 0.);
   };
 
-  double rho = sum_over_vertices([&](std::size_t i) {
-    const Index v = data_.order[i];
-    Vector3 normal, centre;
-    double area = 0;
-    Symmetric_matrix own;
-    Vector3 right;
-    mesh_.for_each_around(v, [&](Index h) {
-      const Face_equations& e = equations_[mesh_.face(h)];
-      const Vector3 c = cross_product(mesh_.face(h));
-      normal += c;
-      area += length(c) / 6;
-      centre += mesh_.position(mesh_.target(h));
-      own += e.diagonal(mesh_.corner(h));
-      right += e.right(mesh_.corner(h));
-    });
-    const Vector3 way = (1. / mesh_.valence(v)) * centre - mesh_.position(v), u = unit_vector(normal);
-    flat_normal_[i] = squared_length(right) <= FLAT * FLAT * length_ * length_ * area * area ? u : Vector3();
-    regular[i] = Symmetric_matrix::axial(TANGENTIAL * area, (NORMAL - TANGENTIAL) * area, u);
-    own += regular[i];
-    inverse[i] = own.inverse();
-    residual[i] = right + (TANGENTIAL * area) * (way - dot(way, u) * u);
-    direction[i] = preconditioned[i] = inverse[i] * residual[i];
-    return dot(residual[i], preconditioned[i]);
-  });
+  double rho = sum_over_vertices([&](std::size_t i) { return set_up(i); });
   for (int step = 0; step < STEPS && rho > 0; ++step) {
     for_each_block<ConcurrencyTag>(mesh_.number_of_face_slots(), BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (Index f = Index(begin); f < Index(end); ++f)
-        if (mesh_.is_face(f)) products[f] = equations_[f] * corners(direction, f);
+        if (mesh_.is_face(f)) products[f] = equations_[f] * corners(direction_, f);
     });
     const double curvature = sum_over_vertices([&](std::size_t i) {
-      Vector3 sum = regular[i] * direction[i];
+      Vector3 sum = regular_[i] * direction_[i];
       mesh_.for_each_around(data_.order[i], [&](Index h) { sum += products[mesh_.face(h)][mesh_.corner(h)]; });
       image[i] = sum;
-      return dot(sum, direction[i]);
+      return dot(sum, direction_[i]);
     });
     if (!(curvature > 0)) break;
     const double alpha = rho / curvature;
     const double next_rho = sum_over_vertices([&](std::size_t i) {
-      displacement_[i] += alpha * direction[i];
-      residual[i] = residual[i] - alpha * image[i];
-      preconditioned[i] = inverse[i] * residual[i];
-      return dot(residual[i], preconditioned[i]);
+      displacement_[i] += alpha * direction_[i];
+      residual_[i] = residual_[i] - alpha * image[i];
+      preconditioned_[i] = inverse_[i] * residual_[i];
+      return dot(residual_[i], preconditioned_[i]);
     });
     const double beta = next_rho / rho;
     rho = next_rho;
-    sum_over_vertices([&](std::size_t i) { direction[i] = preconditioned[i] + beta * direction[i]; return 0.; });
+    sum_over_vertices([&](std::size_t i) { direction_[i] = preconditioned_[i] + beta * direction_[i]; return 0.; });
   }
 }
 
