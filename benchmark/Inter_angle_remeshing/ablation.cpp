@@ -6,6 +6,7 @@
 // remeshing, as a table in Markdown.
 //
 //   ablation [mesh ...]        (elephant, armadillo and bunny00 of CGAL's data where none is given)
+//   ablation steps             what each step of a run is worth, on ten models at their mean edge length
 //
 // A change of the target length by a percent changes a figure by more than some rules do: every row is the mean over
 // seven target lengths, from .94 to 1.06 of the mesh's mean edge length; the angles are the extremes over all of them.
@@ -21,7 +22,9 @@
 #include <CGAL/Real_timer.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -125,10 +128,90 @@ void print_table(const std::string& path)
   row("default with a split ratio of 4/3", IAR::recipe(recipe));
 }
 
+// --- the steps of a run -----------------------------------------------------------------------------------------------
+
+struct Step
+{
+  const char* name;
+  IAR::Recipe recipe;
+};
+
+std::vector<Step> steps()
+{
+  using Recipe = IAR::Recipe;
+  std::vector<Step> result;
+  const auto add = [&](const char* name, const auto& change) {
+    Recipe r;
+    change(r);
+    result.push_back({name, r});
+  };
+  add("default", [](Recipe&) {});
+  add("without glides", [](Recipe& r) { r.glide_depth = 0; });
+  add("glides of 4 flips, no slack", [](Recipe& r) { r.glide_depth = 4; r.glide_slack = 0; });
+  add("glides of 8 flips, no slack", [](Recipe& r) { r.glide_depth = 8; r.glide_slack = 0; });
+  add("glides of 12 flips", [](Recipe& r) { r.glide_depth = 12; });
+  add("3 sweeps in the last two iterations, too", [](Recipe& r) { r.last_sweeps = 3; });
+  add("16 sweeps in the last two iterations", [](Recipe& r) { r.last_sweeps = 16; });
+  add("without the fit", [](Recipe& r) { r.fits = 0; });
+  add("two passes of the fit", [](Recipe& r) { r.fits = 2; });
+  add("without the repair", [](Recipe& r) { r.repair = false; });
+  add("without lowering distances", [](Recipe& r) { r.distance_tolerance = 0; });
+  add("distances lowered to .15", [](Recipe& r) { r.distance_tolerance = 0.15; });
+  add("without these two", [](Recipe& r) { r.repair = false; r.distance_tolerance = 0; });
+  add("without the clean-up", [](Recipe& r) { r.clean_up = false; });
+  return result;
+}
+
+// Each row is the mean over the models, of three target lengths each; Hd, Md and time are ratios to PMP's; the angles are the
+// extremes.
+void print_steps()
+{
+  std::vector<Mesh> inputs;
+  for (const char* name : {"elephant", "bear_bis", "armadillo", "homer", "camel", "dino", "hand", "knot1", "cactus", "retinal"})
+    inputs.push_back(read_mesh(CGAL::data_file_path(std::string("meshes/") + name + ".off")));
+  constexpr int RUNS = 3;
+  const auto row_of = [&](const Mesh& input, const auto& remesh) {
+    Row row;
+    const double length = mean_edge_length(input);
+    for (int i = 0; i < RUNS; ++i) add_run(row, input, [&](Mesh& mesh) { remesh(mesh, (0.97 + 0.03 * i) * length); });
+    std::nth_element(row.seconds.begin(), row.seconds.begin() + RUNS / 2, row.seconds.end());
+    return row;
+  };
+  std::printf("\n| | θ | θ_avg | valence 6 %% | Hd / PMP's | Md / PMP's | times as fast |\n|---|---|---|---|---|---|---|\n");
+  std::vector<Row> of_pmp;
+  for (const Mesh& input : inputs)
+    of_pmp.push_back(row_of(input, [](Mesh& mesh, double l) {
+      CGAL::Polygon_mesh_processing::isotropic_remeshing(faces(mesh), l, mesh, CGAL::parameters::number_of_iterations(10));
+    }));
+  for (const Step& step : steps()) {
+    Row all;
+    double speed = 0;
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      const Row row = row_of(inputs[k], [&](Mesh& mesh, double l) {
+        IAR::isotropic_remeshing(faces(mesh), l, mesh, IAR::recipe(step.recipe)); });
+      all.minimum = (std::min)(all.minimum, row.minimum);
+      all.maximum = (std::max)(all.maximum, row.maximum);
+      all.average += row.average / RUNS;
+      all.regular += row.regular / RUNS;
+      all.hausdorff += row.hausdorff / of_pmp[k].hausdorff;
+      all.mean += row.mean / of_pmp[k].mean;
+      speed += of_pmp[k].seconds[RUNS / 2] / row.seconds[RUNS / 2];
+    }
+    const double n = double(inputs.size());
+    std::printf("| %s | %.1f..%.1f | %.2f | %.1f | %.2f | %.2f | %.1f |\n", step.name, all.minimum, all.maximum, all.average / n,
+                all.regular / n, all.hausdorff / n, all.mean / n, speed / n);
+    std::fflush(stdout);
+  }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
+  if (argc == 2 && std::string(argv[1]) == "steps") {
+    print_steps();
+    return EXIT_SUCCESS;
+  }
   std::vector<std::string> paths(argv + 1, argv + argc);
   if (paths.empty())
     for (const char* name : {"elephant", "armadillo", "bunny00"})

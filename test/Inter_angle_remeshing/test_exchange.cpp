@@ -72,7 +72,14 @@ NOT_INLINED void* operator new(std::size_t size)
     return p;
   throw std::bad_alloc();
 }
+NOT_INLINED void* operator new(std::size_t size, const std::nothrow_t&) noexcept // what sorts take their buffers by
+{
+  if(allocations_left > 0 && --allocations_left == 0)
+    return nullptr;
+  return std::malloc(size > 0 ? size : 1);
+}
 NOT_INLINED void operator delete(void* p) noexcept { std::free(p); }
+NOT_INLINED void operator delete(void* p, const std::nothrow_t&) noexcept { std::free(p); }
 NOT_INLINED void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 // --- the flat mesh as a graph ------------------------------------------------------------------------------------

@@ -13,6 +13,7 @@
 #include <CGAL/Inter_angle_remeshing/surface_distance.h>
 #include <CGAL/Inter_angle_remeshing/triangle_quality.h>
 
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -22,11 +23,14 @@
 #include "meshes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <functional>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <random>
 #include <string>
@@ -83,9 +87,8 @@ enum Promises : unsigned
   BOTH = EMBEDDED | UPRIGHT
 };
 
-// Bounds: the worst of nine runs whose lengths differ by up to 3% (`measure` prints it), and beyond it about a degree
-// for the extreme angles of smooth closed models, which polishing moves to between 44 and 85, 3 degrees for others, and
-// .2 degrees for the average.
+// Bounds: the band for smooth closed models; for others the worst of nine runs whose lengths differ by up to 3% (`measure` prints
+// it), and beyond it 3 degrees for the extreme angles and .2 degrees for the average.
 struct Expectation
 {
   const char* name;
@@ -96,19 +99,19 @@ struct Expectation
 
 const Expectation EXPECTATIONS[] = {
   // closed and smooth; of genus 0 where nothing else is said
-  {"bear_bis",             1,  BOTH,     43,  86,   56.2},
-  {"blobby",               2,  BOTH,     43,  86,   56.8},
-  {"cactus",               1,  BOTH,     43,  86,   54.9},
-  {"cactus",               .5, BOTH,     43,  86,   56.2},
-  {"ellipsoid",            1,  BOTH,     43,  86,   55.8},
-  {"ellipsoid",            .5, BOTH,     43,  86,   56.6},
-  {"knot1",                1,  BOTH,     43,  86,   56.0},  // genus 1
-  {"knot2",                2,  BOTH,     43,  86,   55.2},  // two of genus 1
-  {"eight",                1,  BOTH,     42,  86,   52.7},  // genus 2
+  {"bear_bis",             1,  BOTH,     42,  88,   56.2},
+  {"blobby",               2,  BOTH,     42,  88,   56.8},
+  {"cactus",               1,  BOTH,     42,  88,   54.9},
+  {"cactus",               .5, BOTH,     42,  88,   56.2},
+  {"ellipsoid",            1,  BOTH,     42,  88,   55.8},
+  {"ellipsoid",            .5, BOTH,     42,  88,   56.6},
+  {"knot1",                1,  BOTH,     42,  88,   56.0},  // genus 1
+  {"knot2",                2,  BOTH,     42,  88,   55.2},  // two of genus 1
+  {"eight",                1,  BOTH,     42,  88,   52.7},  // genus 2
   {"elephant",             1,  EMBEDDED, 37,  88,   55.4},  // genus 3
   {"armadillo",            1,  EMBEDDED, 40,  88,   56.6},
   {"hand",                 1,  EMBEDDED, 17, 104,  55.3},
-  {"retinal",              .5, BOTH,     43,  86,   57.0},
+  {"retinal",              .5, BOTH,     42,  88,   57.0},
   {"bones",                1,  NOTHING,  27, 91,   53.7},  // 26 components that intersect each other
   // CAD
   {"cube-meshed",          1,  BOTH,     24, 109,  53.4},
@@ -267,8 +270,8 @@ void lengths_far_too_large_and_far_too_small_return()
 const char* const ORGANIC[] = {"cactus", "knot1", "blobby", "retinal", "sphere966", "hand", "handle", "elephant",
                                "homer", "bear_bis"};
 
-// Measured: within 2.6% at these factors; 6% too few for bear_bis at .7.
-constexpr double COUNT_TOLERANCE = .05;
+// The number is met up to single faces where no edge can be collapsed; measured: .8%, cactus and eight with some hundred faces 3%.
+constexpr double COUNT_TOLERANCE = .015;
 
 // Measured: within 2.8%.
 constexpr double LENGTH_TOLERANCE = .05;
@@ -299,6 +302,80 @@ void wanted_numbers_of_faces_are_met()
     }
     const double lengths_yield = yield(input, double(input.number_of_faces()));
     CHECK_MESSAGE(std::abs(lengths_yield - 1) <= LENGTH_TOLERANCE, name << ": " << lengths_yield);
+  }
+}
+
+// Models on which moving vertices leaves angles out of the band, or folds.
+const char* const HARD[] = {"armadillo", "dino", "cow", "triceratops", "bull"};
+
+void the_repair_reaches_the_band()
+{
+  std::size_t left = 0, mended = 0;
+  for(const char* name : HARD)
+  {
+    const Mesh& input = mesh_of_cgal(name);
+    IAR::Recipe recipe;
+    Mesh output = input;
+    const auto with = IAR::isotropic_remeshing(IAR::Face_count(15000), output, IAR::recipe(recipe));
+    CHECK_MESSAGE(with.band_holds && with.number_of_faces_out_of_band == 0, name << ": " << with.number_of_faces_out_of_band);
+    CHECK_MESSAGE(with.angles_after.minimum >= 42 - 1e-5 && with.angles_after.maximum <= 88 + 1e-5, name);
+    check_same_shape(output, input, name);
+    recipe.repair = false;
+    Mesh other = input;
+    const auto without = IAR::isotropic_remeshing(IAR::Face_count(15000), other, IAR::recipe(recipe));
+    CHECK_MESSAGE(without.repairs == 0, name);
+    left += without.number_of_faces_out_of_band;
+    mended += with.repairs;
+    if(meshes::is_small_run())
+      break;
+  }
+  CHECK_MESSAGE(meshes::is_small_run() || (left > 0 && mended > 0), left << " and " << mended);
+}
+
+// Tips and crevices: nearer than without, at the same angles, and nothing crosses that did not before.
+void large_distances_are_lowered()
+{
+  double product = 1;
+  int models = 0;
+  for(const char* name : {"armadillo", "dino", "homer", "elephant", "bunny00"})
+  {
+    const Mesh& input = mesh_of_cgal(name);
+    if(meshes::is_small_run() && input.number_of_faces() > SMALL)
+      continue;
+    const auto hausdorff = [&](double tolerance, Mesh& output)
+    {
+      IAR::Recipe recipe;
+      recipe.distance_tolerance = tolerance;
+      const IAR::Closest_point_projector<Mesh> facets(input);
+      const auto report = IAR::isotropic_remeshing(IAR::Face_count(15000), output,
+        IAR::recipe(recipe, parameters::projection_functor(std::cref(facets))));
+      CHECK_MESSAGE(report.band_holds, name);
+      return IAR::surface_distance(input, output, parameters::number_of_points_on_faces(100000)).hausdorff();
+    };
+    Mesh without = input, with = input;
+    const double before = hausdorff(0, without), after = hausdorff(IAR::Recipe().distance_tolerance, with);
+    CHECK_MESSAGE(after <= 1.05 * before, name << ": " << after / before); // samples are dense, not everywhere
+    CHECK_MESSAGE(does_self_intersect(input) || does_self_intersect(without) || !does_self_intersect(with), name);
+    product *= after / before;
+    ++models;
+  }
+  CHECK_MESSAGE(models == 0 || std::pow(product, 1. / models) < .85, std::pow(product, 1. / models));
+}
+
+// Where nothing is left to do, the run ends, and the result is as good.
+void settled_meshes_end_early()
+{
+  for(const char* name : {"sphere966", "blobby", "knot1"})
+  {
+    Mesh output = mesh_of_cgal(name);
+    const double length = mean_edge_length(output);
+    const auto first = IAR::isotropic_remeshing(length, output, parameters::number_of_iterations(10));
+    const auto again = IAR::isotropic_remeshing(length, output, parameters::number_of_iterations(1000));
+    CHECK_MESSAGE(again.iterations >= 3 && again.iterations < 200, name << ": " << again.iterations);
+    CHECK_MESSAGE(again.ending == IAR::Remeshing_report::Ending::completed, name);
+    CHECK_MESSAGE(again.angles_after.average > first.angles_after.average - .2, name << ": " << again.angles_after.average);
+    const auto smoothed = IAR::isotropic_remeshing(0., output, parameters::number_of_iterations(4));
+    CHECK_MESSAGE(smoothed.iterations == 4, name); // without a length all of them count
   }
 }
 
@@ -420,6 +497,7 @@ struct Random_case
   unsigned iterations;
   bool do_split, do_collapse, do_flip, protect, collapse_constraints;
   double sharpness_angle;
+  IAR::Recipe recipe;
   Mesh::Property_map<Edge, bool> is_constrained_edge;
   Mesh::Property_map<Vertex, bool> is_constrained_vertex;
   Mesh::Property_map<Face, int> patch;
@@ -442,6 +520,11 @@ struct Random_case
     protect = dice.chance(.3);
     collapse_constraints = dice.chance(.8);
     sharpness_angle = dice.one_of({180., 180., 60., 30.});
+    recipe.lower_angle = dice.in(20, 50);
+    recipe.upper_angle = dice.in(75, 130);
+    recipe.repair = dice.chance(.8);
+    recipe.distance_tolerance = dice.one_of({0., .1, .22, .5});
+    recipe.fits = unsigned(dice.below(3));
   }
 
   // A copy of this, remeshed.
@@ -450,10 +533,10 @@ struct Random_case
   {
     Mesh copy = mesh; // the property maps come along, under the same names
     const auto report = IAR::isotropic_remeshing<ConcurrencyTag>(range, length, copy,
-      parameters::number_of_iterations(iterations).do_split(do_split).do_collapse(do_collapse).do_flip(do_flip)
-        .edge_is_constrained_map(edge_map(copy)).vertex_is_constrained_map(vertex_map(copy))
+      IAR::recipe(recipe, parameters::number_of_iterations(iterations).do_split(do_split).do_collapse(do_collapse)
+        .do_flip(do_flip).edge_is_constrained_map(edge_map(copy)).vertex_is_constrained_map(vertex_map(copy))
         .face_patch_map(patch_map(copy))
-        .protect_constraints(protect).collapse_constraints(collapse_constraints).sharpness_angle(sharpness_angle));
+        .protect_constraints(protect).collapse_constraints(collapse_constraints).sharpness_angle(sharpness_angle)));
     return {std::move(copy), report};
   }
 
@@ -577,6 +660,57 @@ void check_constraints_are_kept(Random_case& c, Mesh& output, const std::string&
   CHECK_MESSAGE(moved <= tolerance + (is_smooth && !c.protect ? .09 * longest : 0), what << ": " << moved / c.length);
 }
 
+// By how many degrees the worst angle of a face is out of [lower, upper]; at least 0.
+double violation(const std::array<Point, 3>& t, double lower, double upper)
+{
+  double result = 0;
+  for(int k = 0; k < 3; ++k)
+  {
+    const double angle = CGAL::approximate_angle(t[(k + 1) % 3], t[k], t[(k + 2) % 3]);
+    result = std::max({result, lower - angle, angle - upper});
+  }
+  return result;
+}
+
+// Every face out of its band is counted, and the worst are named; a face that is named is one of the result.
+void check_band(const Random_case& c, const std::vector<Face>& range, const Mesh& output, const IAR::Remeshing_report& report,
+                const std::string& what)
+{
+  constexpr double PRECISION = 1e-3;    // degrees
+  std::size_t at_least = 0, at_most = 0; // faces out of the band beside curves, and of that elsewhere
+  for(const Face f : range)
+  {
+    const auto t = corners(f, output);
+    at_least += violation(t, std::min(33., c.recipe.lower_angle), std::max(103., c.recipe.upper_angle)) > PRECISION;
+    at_most += violation(t, c.recipe.lower_angle + PRECISION, c.recipe.upper_angle - PRECISION) > 0;
+  }
+  const auto& named = report.faces_out_of_band;
+  CHECK_MESSAGE(at_least <= report.number_of_faces_out_of_band && report.number_of_faces_out_of_band <= at_most,
+                what << ": " << at_least << ' ' << report.number_of_faces_out_of_band << ' ' << at_most);
+  CHECK_MESSAGE(named.size() == std::min<std::size_t>(1000, report.number_of_faces_out_of_band), what);
+  bool holds = true;
+  for(std::size_t i = 0; i < named.size(); ++i)
+  {
+    CHECK_MESSAGE(named[i].violation > 0 && (i == 0 || named[i].violation <= named[i - 1].violation), what);
+    holds = holds && named[i].reason == IAR::Remeshing_report::Reason::input_corner;
+    if(i >= 10)
+      continue;
+    const Point centroid(named[i].centroid[0], named[i].centroid[1], named[i].centroid[2]);
+    double nearest = std::numeric_limits<double>::infinity(), difference = nearest;
+    for(const Face f : range)
+    {
+      const auto t = corners(f, output);
+      const double d = CGAL::squared_distance(centroid, CGAL::centroid(t[0], t[1], t[2]));
+      if(d > nearest)
+        continue;
+      nearest = d;
+      difference = named[i].violation - violation(t, c.recipe.lower_angle, c.recipe.upper_angle);
+    }
+    CHECK_MESSAGE(nearest < 1e-20 && difference < PRECISION, what << ": " << nearest << ' ' << difference);
+  }
+  CHECK_MESSAGE(report.band_holds == holds || named.size() == 1000, what);
+}
+
 void check_random_case(std::uint64_t seed)
 {
   const std::string what = "seed " + std::to_string(seed);
@@ -592,6 +726,10 @@ void check_random_case(std::uint64_t seed)
   CHECK_MESSAGE(report.input_faces == c.range.size(), what);
   CHECK_MESSAGE(report.output_faces + outside.size() == output.number_of_faces(), what);
   check_constraints_are_kept(c, output, what);
+  std::vector<Face> inside;
+  std::set_difference(output.faces_begin(), output.faces_end(), outside.begin(), outside.end(), std::back_inserter(inside));
+  if(!inside.empty())
+    check_band(c, inside, output, report, what);
   if(c.length == 0 || (!c.do_split && !c.do_collapse))
     CHECK_MESSAGE(output.number_of_faces() == c.mesh.number_of_faces(), what);
   if(!c.do_split || c.length == 0)
@@ -612,6 +750,142 @@ void random_meshes_keep_what_they_must()
     check_random_case(seed);
 }
 
+// --- fine targets ------------------------------------------------------------------------------------------------
+
+// What a visitor meets.
+struct Pass_counter : IAR::Default_visitor
+{
+  std::size_t levels = 0, announced = 0, made = 0;
+
+  template <class M>
+  void start_pass(IAR::Pass pass, const M&) { levels += pass == IAR::Pass::subdivide; }
+  template <class H, class M>
+  void before_split(H, const M&) { ++announced; }
+  template <class V, class M>
+  void after_split(V, const M&) { ++made; }
+};
+
+IAR::Recipe with_levels(bool multi_level)
+{
+  IAR::Recipe r;
+  r.multi_level = multi_level;
+  return r;
+}
+
+// From a coarser level, the irregular vertices are those of a mesh with a quarter or a sixteenth of the faces: on the target
+// length alone, seven in a hundred are left, whatever the length.
+constexpr double REGULAR_FROM_LEVELS = 95, REGULAR_DIRECTLY = 94;
+
+void fine_targets_are_reached_from_coarser_levels()
+{
+  struct Fine_case { const char* name; double factor, sharpness_angle; std::size_t levels; double smallest, largest; };
+  // The bounds of the angles are those of EXPECTATIONS: [44, 85] and [35, 100] beside curves, with a margin.
+  for(const Fine_case& c : {Fine_case{"knot1", .25, 180, 2, 43, 86}, Fine_case{"mesh_with_border", .45, 180, 1, 32, 103},
+                            Fine_case{"three_peaks", .4, 180, 1, 32, 103}, Fine_case{"cube-meshed", .45, 40, 1, 32, 103}})
+  {
+    const Mesh& input = mesh_of_cgal(c.name);
+    if(meshes::is_small_run() && input.number_of_faces() > SMALL)
+      continue;
+    const double length = c.factor * mean_edge_length(input);
+    IAR::Recipe recipe = with_levels(true);
+    recipe.grading = 0;
+    Mesh output = input;
+    const auto map = Random_case::edge_map(output);
+    Pass_counter passes;
+    const IAR::Remeshing_report report = IAR::isotropic_remeshing(length, output,
+      IAR::recipe(recipe, parameters::sharpness_angle(c.sharpness_angle).edge_is_constrained_map(map).visitor(std::ref(passes))));
+    CHECK_MESSAGE(passes.levels == c.levels, c.name << ": " << passes.levels);
+    CHECK_MESSAGE(passes.announced == passes.made && passes.made == report.splits, c.name);
+    if(!check_same_shape(output, input, c.name))
+      continue;
+    CHECK_MESSAGE(!does_self_intersect(output), c.name);
+    CHECK_MESSAGE(report.target_edge_length == length, c.name);
+    // The mean edge is as long as that of a run on the target length; by how much the few faces of a coarse level scatter.
+    Mesh directly = input;
+    const auto direct_map = Random_case::edge_map(directly);
+    recipe.multi_level = false;
+    IAR::isotropic_remeshing(length, directly, IAR::recipe(recipe, parameters::sharpness_angle(c.sharpness_angle)
+                                                                     .edge_is_constrained_map(direct_map)));
+    recipe.multi_level = true;
+    const double mean = mean_edge_length(output) / mean_edge_length(directly);
+    CHECK_MESSAGE(mean > .96 && mean < 1.04, c.name << ": " << mean);
+    const auto angles = IAR::inter_angle_statistics(output);
+    CHECK_MESSAGE(angles.minimum_angle > c.smallest && angles.maximum_angle < c.largest,
+                  c.name << ": " << angles.minimum_angle << " to " << angles.maximum_angle);
+    CHECK_MESSAGE(angles.percentage_of_regular_vertices() > REGULAR_FROM_LEVELS,
+                  c.name << ": " << angles.percentage_of_regular_vertices());
+    const double moved = distance(border(input), border(output));
+    CHECK_MESSAGE(moved <= CURVE_TOLERANCE * length + ROUNDING, c.name << ": " << moved / length);
+
+    Mesh unseen = input;
+    const auto unseen_map = Random_case::edge_map(unseen);
+    IAR::isotropic_remeshing<CGAL::Parallel_if_available_tag>(length, unseen,
+      IAR::recipe(recipe, parameters::sharpness_angle(c.sharpness_angle).edge_is_constrained_map(unseen_map)));
+    CHECK_MESSAGE(meshes::Picture<Mesh>(unseen) == meshes::Picture<Mesh>(output), c.name);
+
+    if(c.sharpness_angle < 180)
+    {
+      Mesh marked = input;
+      const auto sharp = Random_case::edge_map(marked);
+      PMP::detect_sharp_edges(marked, c.sharpness_angle, sharp);
+      const double feature_moved = distance(segments(marked, [&](Edge e) { return sharp[e]; }),
+                                            segments(output, [&](Edge e) { return map[e]; }));
+      CHECK_MESSAGE(feature_moved <= CURVE_TOLERANCE * length + ROUNDING, c.name << ": " << feature_moved / length);
+    }
+  }
+}
+
+// Where it is switched off, or rules of the user's say what happens to an edge.
+void levels_are_left_out_where_they_are_not_wanted()
+{
+  const Mesh& input = mesh_of_cgal("mesh_with_border");
+  const double length = .25 * mean_edge_length(input);
+  const auto run = [&](const auto& np) {
+    Pass_counter passes;
+    Mesh output = input;
+    IAR::isotropic_remeshing(length, output, np.visitor(std::ref(passes)));
+    return std::make_pair(passes.levels, IAR::inter_angle_statistics(output).percentage_of_regular_vertices());
+  };
+  const auto [levels, regular] = run(IAR::recipe(with_levels(false), parameters::number_of_iterations(10)));
+  CHECK_MESSAGE(levels == 0 && regular < REGULAR_DIRECTLY, levels << ", " << regular);
+  CHECK(run(parameters::number_of_iterations(10)).first == 2);
+  CHECK(run(parameters::do_split(true)).first == 2);
+  CHECK(run(parameters::do_split([](const auto&) { return true; })).first == 0);
+  CHECK(run(parameters::do_collapse(false)).first == 0);
+  CHECK(run(parameters::do_flip([](const auto&) { return true; })).first == 0);
+  CHECK(run(parameters::protect_constraints(true)).first == 0);
+}
+
+void a_run_cancelled_before_its_finest_level_changes_nothing()
+{
+  const Mesh& input = mesh_of_cgal("mesh_with_border");
+  const double length = .25 * mean_edge_length(input);
+  double last = 0;
+  bool is_monotone = true;
+  const auto run_until = [&](double end) {
+    Mesh output = input;
+    last = 0;
+    const IAR::Remeshing_report report = IAR::isotropic_remeshing(length, output, parameters::callback([&](double done) {
+      is_monotone = is_monotone && done >= last && done <= 1;
+      last = done;
+      return done < end;
+    }));
+    return std::make_pair(std::move(output), report);
+  };
+  for(const double end : {.01, .5, .8})    // the iterations are ten of twelve parts, a level each of the others
+  {
+    const auto [output, report] = run_until(end);
+    CHECK_MESSAGE(meshes::Picture<Mesh>(output) == meshes::Picture<Mesh>(input), end);
+    CHECK_MESSAGE(report.ending == IAR::Remeshing_report::Ending::cancelled && report.splits == 0 &&
+                  report.output_faces == report.input_faces, end);
+  }
+  const auto [output, report] = run_until(.95);
+  CHECK(report.ending == IAR::Remeshing_report::Ending::cancelled);
+  CHECK(check_same_shape(output, input, "cancelled late") && output.number_of_faces() > 8 * input.number_of_faces());
+  run_until(2);
+  CHECK_MESSAGE(is_monotone && last == 1, last);
+}
+
 int main(int argc, char* argv[])
 {
   if(argc > 1 && std::strcmp(argv[1], "measure") == 0)
@@ -624,7 +898,13 @@ int main(int argc, char* argv[])
   degenerate_faces_are_survived();
   lengths_far_too_large_and_far_too_small_return();
   wanted_numbers_of_faces_are_met();
+  the_repair_reaches_the_band();
+  large_distances_are_lowered();
+  settled_meshes_end_early();
   angles_are_better_than_those_of_polygon_mesh_processing();
   random_meshes_keep_what_they_must();
+  fine_targets_are_reached_from_coarser_levels();
+  levels_are_left_out_where_they_are_not_wanted();
+  a_run_cancelled_before_its_finest_level_changes_nothing();
   return result();
 }

@@ -19,7 +19,9 @@ All members are called one at a time, whatever the concurrency tag. An exception
 leaves the user's mesh as it was.
 
 Passes that mend what the iterations left, after the last of them, are announced by `start_pass()` and `end_pass()` like
-the others, but belong to no iteration.
+the others, but belong to no iteration. So are the passes of the finer levels of a run that began on a coarser one, see
+`CGAL::Inter_angle_remeshing::Recipe::multi_level`; where such a run is not good enough, the iterations are made anew, on the
+target length, and counted from 0 again.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Inter_angle_remeshing::Default_visitor}
@@ -40,12 +42,13 @@ public:
   template <class Mesh>
   void start_pass(CGAL::Inter_angle_remeshing::Pass pass, const Mesh& mesh);
 
-  /// called after a pass that did `count` operations: edges split, collapsed or flipped, glides, or vertices that were
-  /// asked to move.
+  /// called after a pass that did `count` operations: edges split, collapsed or flipped, glides, vertices that were
+  /// asked to move, or vertices in the spots that a pass `Pass::mend` worked on.
   template <class Mesh>
   void end_pass(CGAL::Inter_angle_remeshing::Pass pass, const Mesh& mesh, std::size_t count);
 
-  /// called before the edge of `h` is split.
+  /// called before the edge of `h` is split. A pass `Pass::subdivide` splits all edges at once: it calls this for each of them
+  /// first, and then `after_split()` for the new vertices, in the same order.
   template <class Halfedge, class Mesh>
   void before_split(Halfedge h, const Mesh& mesh);
 

@@ -11,8 +11,23 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 
 /// \ingroup PkgInterAngleRemeshingRef
-/// the passes of an iteration, as a visitor meets them
-enum class Pass { split, collapse, flip, glide, relax, clean_up, fit, polish };
+/// the passes, as a visitor meets them: those of an iteration, those of a run that began on a coarser level
+/// (`Recipe::multi_level`), and those of the clean-up
+enum class Pass
+{
+  split,     ///< edges that are too long
+  collapse,  ///< edges that are too short
+  flip,      ///< for more regular valences, in the clean-up, too
+  glide,     ///< sequences of flips that bring irregular vertices together
+  relax,     ///< vertices move towards the centre of their neighbors, in the clean-up, too
+  subdivide, ///< every face is cut into four
+  mend,      ///< in the few spots that need it after that, edges are split, collapsed and flipped, and vertices relaxed
+  clean_up,  ///< vertices of valence 4 and less are removed
+  fit,       ///< faces are fitted to the surface
+  polish,    ///< angles move into the band; flips beside borders and features
+  distance,  ///< the largest distances are lowered
+  repair     ///< flips, collapses and splits where the polish does not reach the band, and at folds
+};
 
 /*!
 \ingroup PkgInterAngleRemeshingRef
@@ -39,14 +54,16 @@ struct Default_visitor
   template <class Mesh>
   void start_pass(Pass, const Mesh&) {}
   /// called after a pass, with the number of operations that it did: edges split, collapsed or flipped, glides,
-  /// vertices relaxed, vertices moved by the fit.
+  /// vertices relaxed, vertices in the spots that were mended, vertices moved by the fit, spots where the distance was lowered,
+  /// operations of the repair.
   template <class Mesh>
   void end_pass(Pass, const Mesh&, std::size_t /* count */) {}
 
-  /// called before the edge of `h` is split.
+  /// called before the edge of `h` is split; in a pass `Pass::subdivide` for all edges before the first of them is.
   template <class Halfedge, class Mesh>
   void before_split(Halfedge, const Mesh&) {}
-  /// called after a split; `v` is the new vertex.
+  /// called after a split; `v` is the new vertex. After a pass `Pass::subdivide` it is called for the new vertices in the order
+  /// in which their edges were announced.
   template <class Vertex, class Mesh>
   void after_split(Vertex, const Mesh&) {}
 

@@ -16,9 +16,10 @@ namespace Inter_angle_remeshing {
 @brief a wanted number of faces, in place of a target edge length.
 
 A run begins with the length of `target_edge_length()` and, where the number of faces falls or stays, corrects it from
-iteration to iteration. Measured on 13 closed models from .15 to 20 times their number of faces: within 4%, but for one
-of 122 runs with 6%; the mean deviation is .8%. On CAD models, where grading adds faces (`Recipe::grading`): of 44 runs on
-five models from .15 to 20 times their number of faces, within 12% in 39 and within 29% in all.
+iteration to iteration; in the last two it collapses the shortest edges or splits the longest ones until the number is met, as
+far as geometry and policies allow, but changes it by a tenth at most. Measured on 21 closed organic models from .2 to 3 times
+their number of faces, 105 runs: within .9% wherever the result has 500 faces and more, .1% in the mean, within 3% below. On
+five CAD models, 25 runs: within 1% in 20; features and corners that cost more faces than are wanted are kept all the same.
 */
 struct Face_count
 {

@@ -66,6 +66,11 @@ struct Recipe
   int glide_slack = 2;
   /// how far from the new surface the vertex that a collapse removes may lie, in target lengths
   double collapse_tolerance = 0.15;
+  /// whether, where the target length is well under that of the input's edges, the iterations run on a coarser level, whose faces
+  /// are then cut into four until they have the target length: several times faster, and the vertices are more regular. Levels
+  /// are chosen such that they resolve the input; where none does, where a policy, also the paper's, or a grading rules the
+  /// edges, or edges of the range are protected, the iterations run on the target length all the same.
+  bool multi_level = true;
   /// by how much the target length rises with the distance from curves whose edges must be shorter than it is, where details
   /// are small or strips narrow, as a slope: on CAD models, as the dihedral angles tell them, such edges bring the target near
   /// them down to their own length, but not below 0.3 of it. That costs faces; 0 turns it off.
@@ -77,11 +82,17 @@ struct Recipe
   /// and on features stay. 0 leaves every vertex on the surface, as does a projection functor that is none of this
   /// package's.
   unsigned fits = 1;
-  /// the band, in degrees, into which the clean-up moves the angles, as far as moving vertices along the surface can:
-  /// its lower bound, under 60. Faces that touch the border or a feature are moved into [35, 100] if that is wider.
-  double lower_angle = 44;
+  /// the band, in degrees, that the clean-up brings the angles into: its lower bound, under 60. It moves vertices along the
+  /// surface first, heading for a band that is narrower by 2 degrees below and 3 above, then see `repair`. Faces that touch
+  /// the border or a feature have the band [33, 103] if that is wider. The report tells what is left out of it.
+  double lower_angle = 42;
   /// its upper bound, over 60
-  double upper_angle = 85;
+  double upper_angle = 88;
+  /// whether the clean-up tries flips, collapses and splits where moving vertices does not reach the band, and at folds
+  bool repair = true;
+  /// the largest distance between the result and the surface that the clean-up leaves alone, in target lengths. Larger ones,
+  /// at tips and in crevices, are lowered as far as the angles allow. 0 turns that off, as does a projector of another surface.
+  double distance_tolerance = 0.22;
   /// which policies rule where the user hands none over
   Policies policies = Policies::measured;
   /// which surface the result approximates where the user hands no projector over
@@ -98,9 +109,12 @@ struct Recipe
     r.sweeps = r.last_sweeps = 1;
     r.flip_rounds = 1;
     r.glide_depth = 0;
+    r.multi_level = false;
     r.grading = 0;
     r.clean_up = false;
     r.fits = 0;
+    r.repair = false;
+    r.distance_tolerance = 0;
     r.policies = Policies::paper;
     r.surface = Surface::paper;
     return r;

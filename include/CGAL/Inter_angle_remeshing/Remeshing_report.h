@@ -5,7 +5,9 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_REMESHING_REPORT_H
 #define CGAL_INTER_ANGLE_REMESHING_REMESHING_REPORT_H
 
+#include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -20,8 +22,9 @@ struct Remeshing_report
   /// why the run ended
   enum class Ending
   {
-    completed,        ///< all iterations were made
-    cancelled,        ///< the callback returned `false`; the mesh holds the result so far
+    completed,        ///< all iterations were made, or the mesh had settled before
+    cancelled,        ///< the callback returned `false`; the mesh holds the result so far, or is unchanged if that was
+                      ///< before the finest level of a run with several, see `Recipe::multi_level`
     nothing_to_do     ///< the range is empty, or no iteration was asked for; the mesh is unchanged
   };
 
@@ -43,6 +46,25 @@ struct Remeshing_report
     double maximum = 0;
     /// θ<sub>avg</sub> = 60 − mean |θ − 60|
     double average = 0;
+  };
+
+  /// why an angle of a face is out of the band of `Recipe::lower_angle` and `Recipe::upper_angle`
+  enum class Reason
+  {
+    input_corner,     ///< it lies between two edges of borders or features: it is the input's
+    border_or_feature,///< the face touches a border or a feature, which leave it no room
+    no_operation      ///< no move, flip, collapse or split near it that policies and geometry allow mends it
+  };
+
+  /// a face of the result with an angle out of the band
+  struct Face_out_of_band
+  {
+    /// its centroid, in the user's units
+    std::array<double, 3> centroid;
+    /// by how much the angle is out of the band, in degrees
+    double violation;
+    /// why
+    Reason reason;
   };
 
   /// why the run ended
@@ -67,10 +89,18 @@ struct Remeshing_report
   std::size_t flips = 0;
   /// the number of glides
   std::size_t glides = 0;
+  /// the number of operations that mended angles out of the band, and folds
+  std::size_t repairs = 0;
   /// the angles of the range before
   Angles angles_before;
   /// the angles of the range afterwards
   Angles angles_after;
+  /// the number of faces with an angle out of the band; those whose angle is the input's count, too
+  std::size_t number_of_faces_out_of_band = 0;
+  /// the worst of them, at most 1000, the worst one first
+  std::vector<Face_out_of_band> faces_out_of_band;
+  /// whether the band holds: no angle is out of it but those that are the input's
+  bool band_holds = false;
 };
 
 } // namespace Inter_angle_remeshing

@@ -63,7 +63,8 @@ number of faces of the range and of the result, per iteration.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{the number of iterations of splits, collapses, flips and relaxation}
+    \cgalParamDescription{the largest number of iterations of splits, collapses, flips and relaxation: once one of them does
+      hardly anything, two more are made}
     \cgalParamType{unsigned int}
     \cgalParamDefault{10}
   \cgalParamNEnd
@@ -154,7 +155,8 @@ number of faces of the range and of the result, per iteration.
   \cgalParamNEnd
   \cgalParamNBegin{callback}
     \cgalParamDescription{called after each pass with the progress in [0, 1]. If it returns `false`, the run stops, and the
-                          mesh holds the result so far.}
+                          mesh holds the result so far; before the finest level of a run that began on a coarser one
+                          (`Recipe::multi_level`) it is unchanged.}
     \cgalParamType{convertible to `std::function<bool(double)>`}
     \cgalParamDefault{none}
   \cgalParamNEnd
@@ -241,7 +243,10 @@ Remeshing_report isotropic_remeshing(const FaceRange& faces, const Length& lengt
                  !internal::has_parameter<CGAL_NP_CLASS, tags::edge_is_constrained_t>() &&
                    !internal::has_parameter<CGAL_NP_CLASS, tags::sharpness_angle_t>()},
                choose_parameter(get_parameter(np, tags::collapse_constraints), true),
-               choose_parameter(get_parameter(np, tags::do_project), true)};
+               choose_parameter(get_parameter(np, tags::do_project), true),
+               recipe.policies == Recipe::Policies::measured && internal::is_left_to_the_recipe(get_parameter(np, tags::do_split)) &&
+                 internal::is_left_to_the_recipe(get_parameter(np, tags::do_collapse)) &&
+                 internal::is_left_to_the_recipe(get_parameter(np, tags::do_flip))};
   internal::set_sweeps(parameters.recipe, get_parameter(np, tags::number_of_relaxation_steps));
   return internal::remesh_range<ConcurrencyTag>(faces, length, tmesh, parameters);
 }

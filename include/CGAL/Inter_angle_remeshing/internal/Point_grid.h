@@ -7,10 +7,12 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Vector3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <unordered_map>
 #include <vector>
 
@@ -18,13 +20,13 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// A growing set of points that is asked whether one of them is near; a Kd_tree would have to be built anew.
+// A growing set of points, each with a number, that is asked which of them are near; a Kd_tree would have to be built anew.
 class Point_grid
 {
 public:
   explicit Point_grid(double distance) : distance_(distance) {}
 
-  void insert(const Vector3& p) { points_[cell_of(p)].push_back(p); }
+  void insert(const Vector3& p, int number = 0) { points_[cell_of(p)].push_back({p, number}); }
 
   // Whether a point lies nearer to p than the distance.
   bool has_near(const Vector3& p) const
@@ -35,14 +37,43 @@ public:
         for (int k = -1; k <= 1; ++k) {
           const auto found = points_.find(Cell{c[0] + i, c[1] + j, c[2] + k});
           if (found == points_.end()) continue;
-          for (const Vector3& q : found->second)
-            if (squared_distance(p, q) < distance_ * distance_) return true;
+          for (const Entry& q : found->second)
+            if (squared_distance(p, q.point) < distance_ * distance_) return true;
         }
     return false;
   }
 
+  // Calls `function(number)` for the points in the cells that meet the box; where these are more than the cells that hold points,
+  // in an order of no meaning.
+  template <class Function>
+  void for_each_in_box(const Vector3& low, const Vector3& high, const Function& function) const
+  {
+    const Cell first = cell_of(low), last = cell_of(high);
+    double cells = 1;
+    for (int k = 0; k < 3; ++k) cells *= double(last[k] - first[k]) + 1;
+    if (cells > double(points_.size())) {
+      for (const auto& cell : points_)
+        if (std::equal(first.begin(), first.end(), cell.first.begin(), std::less_equal<std::int64_t>()) &&
+            std::equal(last.begin(), last.end(), cell.first.begin(), std::greater_equal<std::int64_t>()))
+          for (const Entry& e : cell.second) function(e.number);
+      return;
+    }
+    for (Cell c = first; c[0] <= last[0]; ++c[0])
+      for (c[1] = first[1]; c[1] <= last[1]; ++c[1])
+        for (c[2] = first[2]; c[2] <= last[2]; ++c[2]) {
+          const auto found = points_.find(c);
+          if (found == points_.end()) continue;
+          for (const Entry& e : found->second) function(e.number);
+        }
+  }
+
 private:
   using Cell = std::array<std::int64_t, 3>;
+  struct Entry
+  {
+    Vector3 point;
+    int number;
+  };
 
   // By three large primes (M. Teschner et al., Vision, Modeling and Visualization 2003).
   struct Hash
@@ -60,7 +91,7 @@ private:
   }
 
   double distance_;
-  std::unordered_map<Cell, std::vector<Vector3>, Hash> points_;
+  std::unordered_map<Cell, std::vector<Entry>, Hash> points_;
 };
 
 } // namespace internal

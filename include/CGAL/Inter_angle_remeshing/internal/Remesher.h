@@ -7,23 +7,31 @@
 
 #include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/angle_bands.h>
 #include <CGAL/Inter_angle_remeshing/internal/angle_summary.h>
 #include <CGAL/Inter_angle_remeshing/internal/clean_up_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/coarse_levels.h>
 #include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/distance_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
+#include <CGAL/Inter_angle_remeshing/internal/face_count_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/fit_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/flip_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/glide_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/polish_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/relax_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/repair_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/space_filling_order.h>
 #include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/spot_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/subdivision_pass.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -44,44 +52,139 @@ struct Schedule
 template <class ConcurrencyTag, class Context>
 class Remesher
 {
+  using Index = Remeshing_mesh::Index;
+
 public:
   Remesher(Context& context, const Schedule& schedule)
     : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule),
-      relaxation_(context.recipe, context.curves)
+      relaxation_(context.recipe, context.curves),
+      last_iteration_(schedule.iterations), wanted_faces_(schedule.wanted_faces)
   {}
 
   Remeshing_report run()
   {
-    const double first_target_length = context_.target_length;
     report_.ending = Remeshing_report::Ending::completed;
     report_.input_faces = mesh_.number_of_live_faces();
     report_.angles_before = angle_summary<ConcurrencyTag>(mesh_);
-    while (report_.iterations < schedule_.iterations && report_.ending == Remeshing_report::Ending::completed) {
-      steer_to_face_count(first_target_length);
-      iterate();
-    }
-    if (report_.ending == Remeshing_report::Ending::cancelled)
-      relaxation_.run<ConcurrencyTag>(mesh_, context_.projector, 0, Pull_back::after_last_sweep, curve_tolerance());
-    else if (recipe_.clean_up)
-      clean_up();
-    mesh_.renumber<ConcurrencyTag>(mesh_.block_order());
-    report_.output_faces = mesh_.number_of_live_faces();
-    report_.target_edge_length = mesh_.unit() * context_.target_length;
-    report_.angles_after = angle_summary<ConcurrencyTag>(mesh_);
-    return report_;
+    choose_levels();
+    if (levels_ == 0 || !succeeds_from_coarsest_level()) run_directly();
+    return is_at_finest_level() ? finish() : report_;
   }
+
+  // Whether the mesh is one of the target length: cancelled before that, a run has nothing to show, and the mesh is the input.
+  bool is_at_finest_level() const { return levels_ == 0; }
 
 private:
   // Iterations at the end that relax longest, flip in several rounds, and settle what is left to split.
   static constexpr unsigned LAST_ITERATIONS = 2;
   // The iteration from which on glides pay: before, splits and collapses stir the valences up too much.
   static constexpr unsigned FIRST_GLIDES = 2;
+  // Once an iteration does no more than one operation for so many faces, only the last ones are left to do.
+  static constexpr std::size_t SETTLED = 1000;
   // Sweeps after the clean-up.
   static constexpr unsigned CLEAN_UP_SWEEPS = 3;
+  // Sweeps on a level between the coarsest and the finest one.
+  static constexpr unsigned LEVEL_SWEEPS = 3;
+  // On the finest level the limits of the edge lengths are wider by this factor: fewer vertices become irregular.
+  static constexpr double FINEST_LIMITS = 1.3;
+
+  void run_directly()
+  {
+    make_iterations();
+    if (goes_on() && recipe_.clean_up) clean_up();
+  }
+
+  void make_iterations()
+  {
+    const double first_target_length = context_.target_length;
+    while (report_.iterations < last_iteration_ && goes_on()) {
+      steer_to_face_count(first_target_length);
+      iterate();
+    }
+  }
+
+  // Levels pay where the faces that come out of the iterations can be cut into four as they are.
+  void choose_levels()
+  {
+    if (!recipe_.multi_level || !context_.may_subdivide || recipe_.sweeps == 0 || context_.grading_rate > 0 ||
+        has_protected_edges()) return;
+    const Coarse_levels coarse_levels = Coarse_levels::measure<ConcurrencyTag>(mesh_, context_.target_length);
+    levels_ = stages_ = coarse_levels.number(context_.target_length);
+    if (levels_ > 0) held_ = coarse_levels.bent_vertices(std::ldexp(context_.target_length, int(levels_)));
+  }
+
+  bool has_protected_edges() const
+  {
+    for (std::size_t f = 0; f < mesh_.number_of_face_slots(); ++f)
+      if (mesh_.has_protected_edge(Index(f))) return true;
+    return false;
+  }
+
+  // Returns false, with everything as it was before, where that has left faces, or distances from curves, that the direct way
+  // would hardly leave.
+  bool succeeds_from_coarsest_level()
+  {
+    const Remeshing_mesh input = mesh_;
+    const double target_length = context_.target_length;
+    run_from_coarsest_level();
+    const bool is_poor = goes_on() && (leaves_curves<ConcurrencyTag>(context_) ||
+                                       (has_poor_spots_ && has_poor_faces<ConcurrencyTag>(context_)));
+    if (!is_poor && is_at_finest_level()) return true;
+    mesh_ = input;
+    context_.target_length = target_length;
+    forget_what_was_done();
+    return !is_poor;
+  }
+
+  void forget_what_was_done()
+  {
+    Remeshing_report report;
+    report.ending = report_.ending;
+    report.target_edge_length = mesh_.unit() * context_.target_length;
+    report.input_faces = report.output_faces = report_.input_faces;
+    report.angles_before = report.angles_after = report_.angles_before;
+    report_ = report;
+    wanted_faces_ = schedule_.wanted_faces;
+    last_iteration_ = schedule_.iterations;
+    operations_in_order_ = steerings_ = 0;
+    is_refined_ = is_fitted_ = false;
+    stages_ = levels_;
+  }
+
+  // The iterations on the coarsest level, and what little the others leave to do.
+  void run_from_coarsest_level()
+  {
+    context_.target_length = std::ldexp(context_.target_length, int(levels_));
+    wanted_faces_ >>= 2 * levels_;
+    for (const Index v : held_) mesh_.add_marks(v, Remeshing_mesh::HELD);
+    make_iterations();
+    if (goes_on()) mend_valences();
+    if (goes_on()) polish();
+    for (Index v = 0; v < Index(mesh_.number_of_vertex_slots()); ++v) mesh_.remove_marks(v, Remeshing_mesh::HELD);
+    while (levels_ > 0 && goes_on()) go_to_finer_level();
+    if (goes_on() && recipe_.clean_up) clean_up();
+  }
+
+  void go_to_finer_level()
+  {
+    passes_ = 0;
+    --levels_;
+    context_.target_length /= 2;
+    wanted_faces_ = schedule_.wanted_faces >> (2 * levels_);
+    run_pass(Pass::subdivide, report_.splits, [&]() { return subdivision_pass<ConcurrencyTag>(context_); });
+    split_and_collapse(is_at_finest_level() ? FINEST_LIMITS : 1);
+    flip(1, recipe_.glide_depth > 0);
+    if (goes_on() && !(is_at_finest_level() && recipe_.clean_up)) {
+      relax(LEVEL_SWEEPS, Pull_back::after_last_sweep);
+      if (goes_on()) mend_spots();
+    }
+    if (schedule_.is_verbose) print_state("level " + std::to_string(stages_ - levels_));
+  }
 
   void iterate()
   {
     const unsigned i = report_.iterations;
+    const std::size_t operations = number_of_operations();
     passes_ = 0;
     context_.visitor.start_iteration(i, mesh_);
     if (split_and_collapse() > 0 && is_late()) refine();
@@ -89,11 +192,19 @@ private:
     flip(flip_rounds(), recipe_.glide_depth > 0 && (report_.iterations >= FIRST_GLIDES || is_late()));
     if (goes_on()) relax();
     context_.visitor.end_iteration(i, mesh_);
+    const bool is_settled = number_of_operations() - operations <= mesh_.number_of_live_faces() / SETTLED;
+    if (context_.target_length > 0 && is_settled && !is_late())
+      last_iteration_ = (std::min)(last_iteration_, i + 1 + LAST_ITERATIONS);
     ++report_.iterations;
-    if (schedule_.is_verbose) print_iteration();
+    if (schedule_.is_verbose) print_state("iteration " + std::to_string(report_.iterations));
   }
 
-  bool is_late() const { return report_.iterations + LAST_ITERATIONS >= schedule_.iterations; }
+  std::size_t number_of_operations() const
+  {
+    return report_.splits + report_.collapses + report_.flips + report_.glides;
+  }
+
+  bool is_late() const { return report_.iterations + LAST_ITERATIONS >= last_iteration_; }
 
   // More than one round pays only where splits and collapses no longer stir up the valences.
   unsigned flip_rounds() const { return is_late() ? recipe_.flip_rounds : (std::min)(1u, recipe_.flip_rounds); }
@@ -118,13 +229,13 @@ private:
     return ratio > 2 ? 1 + int(std::log2(ratio)) : 0;
   }
 
-  // Returns the number of splits.
-  std::size_t split_and_collapse()
+  // Returns the number of splits. The limits of the edge lengths are those of the recipe, or wider by a factor.
+  std::size_t split_and_collapse(double widening = 1)
   {
     if (!goes_on() || !(context_.target_length > 0)) return 0;
     constexpr double inf = std::numeric_limits<double>::infinity();
-    const double low = is_never(context_.collapse_policy) ? 0 : context_.squared_shortness_limit();
-    const double high = is_never(context_.split_policy) ? inf : context_.squared_length_limit();
+    const double low = is_never(context_.collapse_policy) ? 0 : context_.squared_shortness_limit() / (widening * widening);
+    const double high = is_never(context_.split_policy) ? inf : context_.squared_length_limit() * (widening * widening);
     std::vector<Remeshing_mesh::Index> long_edges, short_edges;
     std::size_t splits = 0;
     if (context_.grading_rate > 0) context_.grading.measure(mesh_, context_.target_length, context_.grading_rate);
@@ -149,7 +260,18 @@ private:
     });
     if (goes_on() && !is_never(context_.collapse_policy))
       run_pass(Pass::collapse, report_.collapses, [&]() { return collapse_pass<ConcurrencyTag>(context_, short_edges); });
+    if (wanted_faces_ > 0 && is_late()) meet_face_count();
     return splits;
+  }
+
+  void meet_face_count()
+  {
+    const std::size_t faces = mesh_.number_of_live_faces();
+    if (goes_on() && faces > wanted_faces_ && !is_never(context_.collapse_policy))
+      run_pass(Pass::collapse, report_.collapses, [&]() { return collapse_surplus(context_, wanted_faces_); });
+    if (goes_on() && faces < wanted_faces_ && !is_never(context_.split_policy))
+      run_pass(Pass::split, report_.splits, [&]() {
+        return split_for_deficit<ConcurrencyTag>(context_, wanted_faces_); });
   }
 
   // Flips, and glides perhaps, by turns.
@@ -194,17 +316,75 @@ private:
 
   void clean_up()
   {
+    if (context_.grading_rate > 0) context_.grading.measure(mesh_, context_.target_length, context_.grading_rate);
+    mend_valences();
+    if (goes_on() && stages_ > 0) mend_spots();
+    if (goes_on()) fit();
+    if (goes_on()) polish();
+    Repairer<Context> repairer(context_, context_.target_length);
+    repair(repairer);
+    if (goes_on() && lower_distances() > 0) repair(repairer);
+  }
+
+  void fit()
+  {
+    std::size_t moves = 0;
+    is_fitted_ = true;
+    if constexpr (std::decay_t<decltype(context_.projector)>::HAS_FACES)
+      if (recipe_.fits > 0 && recipe_.sweeps > 0)
+        run_pass(Pass::fit, moves, [&]() {
+          return fit_pass<ConcurrencyTag>(context_, context_.target_length, recipe_.fits); });
+  }
+
+  std::size_t lower_distances()
+  {
+    std::size_t spots = 0;
+    if constexpr (std::decay_t<decltype(context_.projector)>::HAS_FACES)
+      if (recipe_.distance_tolerance > 0 && recipe_.sweeps > 0 && context_.target_length > 0 &&
+          context_.projector.is_input() && !is_finer_than_surface(context_, context_.target_length))
+        run_pass(Pass::distance, spots, [&]() { return distance_pass(context_, context_.target_length); });
+    return spots;
+  }
+
+  void mend_valences()
+  {
     if (context_.target_length > 0 && !is_never(context_.collapse_policy))
       run_pass(Pass::clean_up, report_.collapses, [&]() { return clean_up_pass<ConcurrencyTag>(context_); });
     if (goes_on()) flip(1, false);
     if (goes_on() && recipe_.sweeps > 0) relax(CLEAN_UP_SWEEPS, Pull_back::after_last_sweep);
+  }
+
+  void mend_spots()
+  {
+    std::size_t vertices = 0;
+    Spot_iteration<ConcurrencyTag, Context> spots(context_, relaxation_);
+    run_pass(Pass::mend, vertices, [&]() { return spots.run(curve_tolerance(), report_); });
+    has_poor_spots_ = !spots.is_done();
+  }
+
+  void polish()
+  {
     std::size_t moves = 0;
-    if constexpr (std::decay_t<decltype(context_.projector)>::HAS_FACES)
-      if (goes_on() && recipe_.fits > 0 && recipe_.sweeps > 0)
-        run_pass(Pass::fit, moves, [&]() {
-          return fit_pass<ConcurrencyTag>(context_, context_.target_length, recipe_.fits); });
-    if (goes_on() && recipe_.sweeps > 0)
+    if (recipe_.sweeps > 0)
       run_pass(Pass::polish, moves, [&]() { return polish_pass(context_, context_.target_length); });
+  }
+
+  void repair(Repairer<Context>& repairer)
+  {
+    if (goes_on() && recipe_.repair && recipe_.sweeps > 0 && context_.target_length > 0)
+      run_pass(Pass::repair, report_.repairs, [&]() { return repairer.run(); });
+  }
+
+  Remeshing_report finish()
+  {
+    if (report_.ending == Remeshing_report::Ending::cancelled && !is_fitted_)
+      relaxation_.run<ConcurrencyTag>(mesh_, context_.projector, 0, Pull_back::after_last_sweep, curve_tolerance());
+    if (mesh_.has_free_slots()) mesh_.renumber<ConcurrencyTag>(mesh_.block_order());
+    report_.output_faces = mesh_.number_of_live_faces();
+    report_.target_edge_length = mesh_.unit() * context_.target_length;
+    report_.angles_after = angle_summary<ConcurrencyTag>(mesh_);
+    report_band(mesh_, Angle_bands(recipe_), report_);
+    return report_;
   }
 
   double curve_tolerance() const { return CURVE_TOLERANCE * context_.target_length; }
@@ -219,8 +399,11 @@ private:
     context_.visitor.end_pass(pass, mesh_, count);
     if (!schedule_.callback) return;
     const double passes_an_iteration = 3. + 2. * flip_rounds();
-    const double done = (report_.iterations + (std::min)(1., ++passes_ / passes_an_iteration)) / schedule_.iterations;
-    if (!schedule_.callback((std::min)(done, 1.))) report_.ending = Remeshing_report::Ending::cancelled;
+    const double part = (std::min)(1., ++passes_ / passes_an_iteration), iterations = last_iteration_;
+    const double done = levels_ == stages_ ? (std::min)(report_.iterations + part, iterations)
+                                           : iterations + (stages_ - levels_ - 1) + part;
+    progress_ = (std::max)(progress_, done / (iterations + stages_));
+    if (!schedule_.callback(progress_)) report_.ending = Remeshing_report::Ending::cancelled;
   }
 
   bool goes_on() const { return report_.ending == Remeshing_report::Ending::completed; }
@@ -237,7 +420,7 @@ private:
   }
 
   void steer_to_face_count(double first_target_length);
-  void print_iteration() const;
+  void print_state(const std::string& name) const;
 
   Context& context_;
   Remeshing_mesh& mesh_;
@@ -245,7 +428,14 @@ private:
   const Schedule& schedule_;
   Relaxation relaxation_;
   Remeshing_report report_;
-  unsigned passes_ = 0;                  // done in this iteration
+  unsigned last_iteration_;              // how many are made, unless the run is cancelled
+  unsigned stages_ = 0, levels_ = 0;     // levels that the run has in all, and still to come
+  std::vector<Index> held_;              // vertices that stay where they are on the coarsest level
+  bool is_fitted_ = false;               // from then on, vertices need not lie on the surface
+  bool has_poor_spots_ = false;          // of which the spots' own iterations did not get the better
+  unsigned passes_ = 0;                  // done in this iteration, or on this level
+  double progress_ = 0;
+  std::size_t wanted_faces_;             // on this level
   std::size_t operations_in_order_ = 0;  // splits and collapses before the last ordering
   bool is_refined_ = false;              // by so much that the number of faces is not steered
   std::size_t steerings_ = 0;            // iterations since the number of faces came near the wanted one
@@ -261,8 +451,8 @@ void Remesher<ConcurrencyTag, Context>::steer_to_face_count(double first_target_
   // Until the count is this near, the mesh is still being coarsened, and says nothing about the length. One that is
   // refined comes from below, where the table does not hold, but the length that the run began with does, within 1%.
   static constexpr double NEAR = 1.3;
-  if (schedule_.wanted_faces == 0 || report_.iterations == 0 || is_late()) return;
-  const double ratio = double(mesh_.number_of_live_faces()) / double(schedule_.wanted_faces);
+  if (wanted_faces_ == 0 || report_.iterations == 0 || is_late()) return;
+  const double ratio = double(mesh_.number_of_live_faces()) / double(wanted_faces_);
   if (context_.grading_rate > 0) {
     // What grading and strips add, no table knows. Once the mesh has settled, the length takes it back step by step.
     constexpr unsigned FIRST_STEP = 3;
@@ -273,16 +463,16 @@ void Remesher<ConcurrencyTag, Context>::steer_to_face_count(double first_target_
   }
   is_refined_ = is_refined_ || ratio < 1 / NEAR;
   if (is_refined_ || ratio > NEAR || ++steerings_ < 2) return;
-  const double expected = 1.01 * double(schedule_.wanted_faces) * EXCESS[(std::min)(steerings_ - 1, SIZE - 1)];
+  const double expected = 1.01 * double(wanted_faces_) * EXCESS[(std::min)(steerings_ - 1, SIZE - 1)];
   const double corrected = context_.target_length * std::sqrt(double(mesh_.number_of_live_faces()) / expected);
   context_.target_length = (std::max)(0.88 * first_target_length, (std::min)(1.15 * first_target_length, corrected));
 }
 
 template <class ConcurrencyTag, class Context>
-void Remesher<ConcurrencyTag, Context>::print_iteration() const
+void Remesher<ConcurrencyTag, Context>::print_state(const std::string& name) const
 {
   const Remeshing_report::Angles angles = angle_summary<ConcurrencyTag>(mesh_);
-  std::cout << "iteration " << report_.iterations << ": " << mesh_.number_of_live_faces() << " faces, angles "
+  std::cout << name << ": " << mesh_.number_of_live_faces() << " faces, angles "
             << angles.minimum << " to " << angles.maximum << ", average " << angles.average << "; so far "
             << report_.splits << " splits, " << report_.collapses << " collapses, " << report_.flips << " flips, "
             << report_.glides << " glides\n";

@@ -64,6 +64,7 @@ struct Remeshing_context
   bool may_collapse_constraints;
   double target_length;                // in the units of the flat mesh; 0: nothing is split or collapsed
 
+  bool may_subdivide;                  // no rule of the user's says which edges are split, collapsed or flipped
   double grading_rate;                 // 0: the target length is uniform
   Grading grading;
 

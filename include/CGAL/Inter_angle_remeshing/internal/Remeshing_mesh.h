@@ -10,6 +10,8 @@
 #include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -33,7 +35,8 @@ public:
     LOCKED = 4,             // neither moved nor removed
     NEXT_TO_OUTSIDE = 8,    // on the border between the range and faces outside of it
     PINCHED = 16,           // one of several fans of the user's vertex: nothing around it may change
-    PINNED = 32             // on a curve, along which it does not slide
+    PINNED = 32,            // on a curve, along which it does not slide
+    HELD = 64               // locked while the mesh is coarse
   };
 
   // Flags of edge k of a face: bits k, k + 3 and k + 6.
@@ -96,10 +99,11 @@ public:
     state_[v].marks = static_cast<std::uint8_t>(state_[v].marks | marks);
     if (is_border_vertex(v)) state_[v].regular_valence = 4;
   }
+  void remove_marks(Index v, unsigned marks) { state_[v].marks = static_cast<std::uint8_t>(state_[v].marks & ~marks); }
   bool is_free(Index v) const { return state_[v].marks == 0; }
   bool is_border_vertex(Index v) const { return (state_[v].marks & ON_BORDER) != 0; }
   bool is_on_curve(Index v) const { return (state_[v].marks & (ON_BORDER | ON_FEATURE)) != 0; }
-  bool is_locked(Index v) const { return (state_[v].marks & LOCKED) != 0; }
+  bool is_locked(Index v) const { return (state_[v].marks & (LOCKED | HELD)) != 0; }
 
   // Whether v is on a curve and may move along it.
   bool is_sliding(Index v) const { return is_on_curve(v) && (state_[v].marks & (LOCKED | PINNED)) == 0; }
@@ -111,6 +115,7 @@ public:
 
   bool is_constrained(Index h) const { return has_flag(h, CONSTRAINED); }
   bool is_protected(Index h) const { return has_flag(h, PROTECTED); }
+  bool has_protected_edge(Index f) const { return (faces_[f].edge_flags & (PROTECTED * 7)) != 0; }
   // Whether the edge belongs to a border or to a feature.
   bool is_on_curve_edge(Index h) const { return is_border(h) || is_constrained(h); }
 
@@ -250,6 +255,24 @@ public:
   // Live vertices, block by block.
   std::vector<Index> block_order() const;
 
+  // --- subdivision --------------------------------------------------------------------------------------------
+
+  // The numbers that elements get when every face is cut into four. A vertex is followed by the middles of its edges, as far
+  // as no vertex before it has them: an order that was local stays so.
+  struct Subdivision_numbers
+  {
+    std::vector<Index> vertex;           // by vertex
+    std::vector<Index> middle;           // by half-edge: of the vertex in the middle of its edge
+    std::vector<Index> edges;            // one half-edge of each edge, border ones included, by rising number of its middle
+  };
+  // The mesh has no free slots.
+  Subdivision_numbers subdivision_numbers() const;
+  // Cuts every face into four at the middles of its edges, which come to lie at the points, given in the order of
+  // `numbers.edges`; on curves their places are the middles of the arcs.
+  template <class ConcurrencyTag>
+  void subdivide(const Subdivision_numbers& numbers, const std::vector<Vector3>& points);
+  bool has_free_slots() const { return !free_faces_.empty() || !free_vertices_.empty(); }
+
   // --- who was touched, for evaluations that were made beforehand ----------------------------------------------
 
   void start_recording_touched() { touched_.assign(number_of_vertex_slots(), 0); }
@@ -264,6 +287,8 @@ public:
   }
 
 private:
+  friend class Mesh_snapshot;
+
   // What most questions about a vertex need, in one word.
   struct Vertex_state
   {
@@ -338,6 +363,14 @@ private:
     return Index(curve_edges_.size()) - 1;
   }
   void leave_curve(Index h);
+
+  // The halves of the half-edge h, from its origin to the middle and from there on, when every face is cut into four: face 4 f + k
+  // is the one at corner k of face f, 4 f + 3 the one in the middle; corner k of these has the number k, or lies on edge k.
+  static Index first_half(Index h) { return 4 * (4 * (h >> 2) + (h & 3)) + (h & 3); }
+  static Index second_half(Index h) { return 4 * (4 * (h >> 2) + (next(h) & 3)) + (h & 3); }
+  static std::uint32_t edge_bits(int k) { return ALL_FLAGS << k; }
+  std::array<Face, 4> subdivided_face(Index f, const Subdivision_numbers& numbers) const;
+  void subdivide_curves(const std::vector<Index>& edges, Remeshing_mesh& result) const;
 
   double unit_ = 1;
   std::vector<Vector3> position_;
@@ -610,6 +643,109 @@ void Remeshing_mesh::renumber(const std::vector<Index>& order)
     result.curve_edges_ = std::move(curve_edges_);
   }
   result.faces_ = std::move(faces);
+  *this = std::move(result);
+}
+
+inline Remeshing_mesh::Subdivision_numbers Remeshing_mesh::subdivision_numbers() const
+{
+  Subdivision_numbers result;
+  result.vertex.resize(number_of_vertex_slots());
+  result.middle.assign(4 * number_of_face_slots(), -1);
+  result.edges.reserve(number_of_face_slots() + number_of_face_slots() / 2);
+  Index next_number = 0;
+  const auto number_middle = [&](Index h) {
+    if (result.middle[h] >= 0) return;
+    if (!is_border(h)) result.middle[opposite(h)] = next_number;
+    result.middle[h] = next_number++;
+    result.edges.push_back(h);
+  };
+  for (Index v = 0; v < Index(result.vertex.size()); ++v) {
+    result.vertex[v] = next_number++;
+    for_each_around(v, [&](Index h) {
+      number_middle(h);
+      number_middle(prev(h));            // the last edge of an open fan
+    });
+  }
+  return result;
+}
+
+inline std::array<Corner_table::Face, 4> Remeshing_mesh::subdivided_face(Index f, const Subdivision_numbers& numbers) const
+{
+  const Face& whole = faces_[f];
+  std::array<Face, 4> parts;
+  for (int k = 0; k < 3; ++k) {
+    const int after = (k + 1) % 3, before = (k + 2) % 3;
+    const Index o = whole.opposite[k], o_before = whole.opposite[before];
+    Face& part = parts[k];
+    part.vertex[k] = numbers.vertex[whole.vertex[k]];
+    part.vertex[after] = numbers.middle[4 * f + k];
+    part.vertex[before] = numbers.middle[4 * f + before];
+    part.opposite[k] = o >= 0 ? second_half(o) : ~first_half(4 * f + k);
+    part.opposite[after] = 4 * (4 * f + 3) + before;
+    part.opposite[before] = o_before >= 0 ? first_half(o_before) : ~second_half(4 * f + before);
+    part.edge_flags = whole.edge_flags & (edge_bits(k) | edge_bits(before));
+    parts[3].vertex[k] = part.vertex[after];
+    parts[3].opposite[before] = 4 * (4 * f + k) + after;
+  }
+  for (Face& part : parts) part.source = whole.source;
+  return parts;
+}
+
+// The edges on curves and their places: each half has one half of the arc.
+inline void Remeshing_mesh::subdivide_curves(const std::vector<Index>& edges, Remeshing_mesh& result) const
+{
+  result.curve_edge_of_.assign(4 * result.faces_.size(), -1);
+  const auto add_half = [&](Index half, Index curve, double begin, double end) {
+    const Index e = result.new_curve_edge(curve, begin, end);
+    result.curve_edge_of_[half] = 2 * e;
+    if (!result.is_border(half)) result.curve_edge_of_[result.opposite(half)] = 2 * e + 1;
+  };
+  for (const Index h : edges) {
+    if (!has_place(h)) continue;
+    const Curve_place place = curve_place(h);
+    const double middle = 0.5 * (place.origin + place.target);
+    add_half(first_half(h), place.curve, place.origin, middle);
+    add_half(second_half(h), place.curve, middle, place.target);
+  }
+}
+
+template <class ConcurrencyTag>
+void Remeshing_mesh::subdivide(const Subdivision_numbers& numbers, const std::vector<Vector3>& points)
+{
+  const std::size_t vertices = number_of_vertex_slots(), edges = numbers.edges.size(), faces = number_of_face_slots();
+  Remeshing_mesh result;
+  result.unit_ = unit_;
+  result.faces_.resize(4 * faces);
+  for_each_block<ConcurrencyTag>(faces, SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t f = begin; f < end; ++f) {
+      const std::array<Face, 4> parts = subdivided_face(Index(f), numbers);
+      std::copy(parts.begin(), parts.end(), result.faces_.begin() + std::ptrdiff_t(4 * f));
+    }
+  });
+  result.resize_vertices(vertices + edges);
+  for_each_block<ConcurrencyTag>(vertices, SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const Index i = numbers.vertex[v];
+      result.position_[i] = position_[v];
+      result.first_[i] = first_half(first_[v]);
+      result.state_[i] = state_[v];
+      result.hint_[i] = hint_[v];
+      result.input_[i] = input_[v];
+    }
+  });
+  for_each_block<ConcurrencyTag>(edges, SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t e = begin; e < end; ++e) {
+      const Index h = numbers.edges[e], i = numbers.middle[h];
+      result.position_[i] = points[e];
+      result.first_[i] = second_half(h);
+      result.state_[i] = Vertex_state{std::uint16_t(is_border(h) ? 4 : 6), 0, 6};
+      if (is_border(h)) result.add_marks(i, ON_BORDER);
+      if (is_constrained(h)) result.add_marks(i, ON_FEATURE);
+    }
+  });
+  const unsigned shift = block_shift(result.block_.size());
+  for (std::size_t i = 0; i < result.block_.size(); ++i) result.block_[i] = Index(i >> shift);
+  if (has_curves()) subdivide_curves(numbers.edges, result);
   *this = std::move(result);
 }
 

@@ -34,9 +34,16 @@ public:
     free
   };
 
-  // Reads the mesh. Buffers are used again from one pass to the next.
+  // Vertices that move, as the first of these, and those around them, which do not.
+  struct Region
+  {
+    std::vector<Index> vertices;
+    std::size_t movable = 0;
+  };
+
+  // Reads the mesh, or a region of it. Buffers are used again from one pass to the next.
   template <class ConcurrencyTag>
-  void read(const Remeshing_mesh& mesh);
+  void read(const Remeshing_mesh& mesh, const Region* region = nullptr);
   // Writes positions and hints back.
   void write(Remeshing_mesh& mesh) const
   {
@@ -117,9 +124,9 @@ private:
 };
 
 template <class ConcurrencyTag>
-void Sweep_data::read(const Remeshing_mesh& mesh)
+void Sweep_data::read(const Remeshing_mesh& mesh, const Region* region)
 {
-  order = mesh.block_order();
+  order = region == nullptr ? mesh.block_order() : region->vertices;
   const std::size_t n = order.size();
   rank_.resize(mesh.number_of_vertex_slots());
   position.resize(n);
@@ -129,7 +136,8 @@ void Sweep_data::read(const Remeshing_mesh& mesh)
   for_each_block<ConcurrencyTag>(n, SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
       const Index v = order[i];
-      const bool is_sliding = mesh.is_sliding(v), is_fixed = !mesh.is_free(v) && !is_sliding;
+      const bool is_sliding = mesh.is_sliding(v), is_outer = region != nullptr && i >= region->movable,
+                 is_fixed = is_outer || (!mesh.is_free(v) && !is_sliding);
       rank_[v] = Index(i);
       position[i] = mesh.position(v);
       hint[i] = mesh.hint(v);

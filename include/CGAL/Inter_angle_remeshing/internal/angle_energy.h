@@ -26,8 +26,12 @@ class Angle_band
 public:
   // The bounds in degrees; 60 degrees lie between them.
   Angle_band(double lower, double upper)
-    : lower_cosine_(std::cos(lower * (CGAL_PI / 180))), upper_cosine_(std::cos(upper * (CGAL_PI / 180)))
+    : lower_(lower), upper_(upper),
+      lower_cosine_(std::cos(lower * (CGAL_PI / 180))), upper_cosine_(std::cos(upper * (CGAL_PI / 180)))
   {}
+
+  double lower() const { return lower_; }
+  double upper() const { return upper_; }
 
   double energy(double corner_cosine) const
   {
@@ -53,7 +57,7 @@ public:
   }
 
 private:
-  double lower_cosine_, upper_cosine_;
+  double lower_, upper_, lower_cosine_, upper_cosine_;
 };
 
 // The star of a vertex that moves while its link stays.

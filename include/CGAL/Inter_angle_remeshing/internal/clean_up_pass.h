@@ -60,10 +60,7 @@ std::size_t clean_up_pass(Context& context)
       best_gain = gain;
     });
     if (best == NO_COLLAPSE) continue;
-    const Index kept = mesh.target(best);
-    context.visitor.before_collapse(Mesh_halfedge(best), mesh);
-    mesh.collapse(best);
-    context.visitor.after_collapse(Mesh_vertex(kept), mesh);
+    collapse(context, best);
     ++collapses;
   }
   return collapses;

@@ -177,6 +177,16 @@ bool makes_fold(const Context& context, Remeshing_mesh::Index h)
   });
 }
 
+// Whether the source of h may be merged into its target.
+template <class Context>
+bool is_collapse_allowed(const Context& context, Remeshing_mesh::Index h, const Collapse_limits& limits)
+{
+  const Remeshing_mesh& mesh = context.mesh;
+  if (mesh.is_on_curve(mesh.source(h)) && !(context.may_collapse_constraints && keeps_curve(context, h))) return false;
+  return is_collapse_fit(mesh, h, context.grading, limits) && mesh.is_collapse_legal(h) &&
+         (!mesh.has_curves() || keeps_faces_at_curves(mesh, h)) && !makes_fold(context, h) && context.permits_collapse(h);
+}
+
 // The half-edge whose source is to be merged into its target, for the edge of h; NO_COLLAPSE where neither may be.
 constexpr Remeshing_mesh::Index NO_COLLAPSE = (std::numeric_limits<Remeshing_mesh::Index>::min)();
 
@@ -189,14 +199,20 @@ Remeshing_mesh::Index choose_collapse(const Context& context, Remeshing_mesh::In
   const Index a = mesh.source(first), b = mesh.source(second);
   if (mesh.valence(a) + mesh.valence(b) - 4 > limits.valence) return NO_COLLAPSE;
   if (mesh.valence(b) < mesh.valence(a)) std::swap(first, second);
-  for (const Index k : {first, second}) {
-    const bool is_along_curve = mesh.is_on_curve(mesh.source(k));
-    if (is_along_curve && !(context.may_collapse_constraints && keeps_curve(context, k))) continue;
-    if (is_collapse_fit(mesh, k, context.grading, limits) && mesh.is_collapse_legal(k) &&
-        (!mesh.has_curves() || keeps_faces_at_curves(mesh, k)) && !makes_fold(context, k) &&
-        context.permits_collapse(k)) return k;
-  }
+  for (const Index k : {first, second})
+    if (is_collapse_allowed(context, k, limits)) return k;
   return NO_COLLAPSE;
+}
+
+// Merges the source of h into its target, which is returned.
+template <class Context>
+Remeshing_mesh::Index collapse(Context& context, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh::Index kept = context.mesh.source(context.mesh.opposite(h));
+  context.visitor.before_collapse(Mesh_halfedge(h), context.mesh);
+  context.mesh.collapse(h);
+  context.visitor.after_collapse(Mesh_vertex(kept), context.mesh);
+  return kept;
 }
 
 // Collapses the edges of `short_edges` as far as they are still too short, and those that become so.
@@ -221,10 +237,7 @@ std::size_t collapse_pass(Context& context, std::vector<Remeshing_mesh::Index>& 
     },
     [&](Index, Index k) {
       if (k == NO_COLLAPSE) return;
-      const Index kept = mesh.source(mesh.opposite(k));
-      context.visitor.before_collapse(Mesh_halfedge(k), mesh);
-      mesh.collapse(k);
-      context.visitor.after_collapse(Mesh_vertex(kept), mesh);
+      const Index kept = collapse(context, k);
       ++collapses;
       mesh.for_each_around(kept, [&](Index e) {
         if (is_too_short(e)) short_edges.push_back(e);

@@ -79,9 +79,9 @@ Vector3 middle_on_curve(const Context& context, Remeshing_mesh::Index h)
   return context.curves.point(place.curve, 0.5 * (place.origin + place.target));
 }
 
-// One half-edge of each edge on a curve that is too long.
-template <class ConcurrencyTag, class Context>
-std::vector<Remeshing_mesh::Index> long_curve_edges(const Context& context)
+// One half-edge of each edge on a curve for which `is_wanted(h)` holds.
+template <class ConcurrencyTag, class Context, class Predicate>
+std::vector<Remeshing_mesh::Index> curve_edges_where(const Context& context, const Predicate& is_wanted)
 {
   using Index = Remeshing_mesh::Index;
   const Remeshing_mesh& mesh = context.mesh;
@@ -90,10 +90,24 @@ std::vector<Remeshing_mesh::Index> long_curve_edges(const Context& context)
   scan_into<ConcurrencyTag>(found, mesh.number_of_face_slots(), [&](std::size_t f, std::vector<Index>& out) {
     if (!mesh.is_face(Index(f)) || mesh.face_record(Index(f)).edge_flags == 0) return;
     for (Index h = Index(4 * f); h < Index(4 * f) + 3; ++h)
-      if (mesh.has_place(h) && (mesh.is_border(h) || mesh.opposite(h) > h) && is_too_long_on_curve(context, h))
+      if (mesh.has_place(h) && (mesh.is_border(h) || mesh.opposite(h) > h) && is_wanted(h))
         out.push_back(h);
   });
   return found;
+}
+
+template <class ConcurrencyTag, class Context>
+std::vector<Remeshing_mesh::Index> long_curve_edges(const Context& context)
+{
+  return curve_edges_where<ConcurrencyTag>(context, [&](Remeshing_mesh::Index h) { return is_too_long_on_curve(context, h); });
+}
+
+// Whether the chord of an edge lies further from its curve than it may, be it short or long.
+template <class ConcurrencyTag, class Context>
+bool leaves_curves(const Context& context)
+{
+  return !curve_edges_where<ConcurrencyTag>(context, [&](Remeshing_mesh::Index h) {
+    return deviation_from_curve(context, h) > CURVE_TOLERANCE * context.target_length; }).empty();
 }
 
 } // namespace internal

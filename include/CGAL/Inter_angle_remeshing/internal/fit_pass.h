@@ -7,7 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/Sweep_data.h>
-#include <CGAL/Inter_angle_remeshing/internal/angle_energy.h>
+#include <CGAL/Inter_angle_remeshing/internal/angle_bands.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface_walk.h>
 
@@ -109,6 +109,18 @@ private:
   float right_[3][3] = {};       // Σ w r b_i n
 };
 
+// Whether the target length is so much less than the mean altitude of the surface's faces that chords are too short to matter.
+template <class Context>
+bool is_finer_than_surface(const Context& context, double length)
+{
+  using Index = Remeshing_mesh::Index;
+  constexpr double FINE = 0.5;
+  const Reference_surface& surface = context.projector.surface;
+  double sum = 0;
+  for (Index f = 0; f < Index(surface.number_of_faces()); ++f) sum += surface.least_altitude(f);
+  return length < FINE * sum / (double(surface.number_of_faces()) * context.projector.factor);
+}
+
 template <class ConcurrencyTag, class Context>
 class Surface_fit
 {
@@ -123,8 +135,6 @@ class Surface_fit
   static constexpr int TRIALS = 4;
   // Where the surface has more than so many times the faces of the result, one sample stands for each.
   static constexpr std::size_t MANY_FACES = 4;
-  // Where the target length is less than this part of the mean altitude of the surface's faces, chords are too short to matter.
-  static constexpr double FINE = 0.5;
   // Samples that are nearer to the surface than this many target lengths, on the average, say that it is flat there: then
   // vertices stay in its plane to the last bit.
   static constexpr double FLAT = 1e-7;
@@ -132,13 +142,14 @@ class Surface_fit
 
 public:
   Surface_fit(Context& context, double length)
-    : context_(context), mesh_(context.mesh), length_(length), band_(context.recipe.lower_angle, context.recipe.upper_angle)
+    : context_(context), mesh_(context.mesh), length_(length), 
+      band_(Angle_bands(context.recipe, LOWER_MARGIN, UPPER_MARGIN).inside)
   {}
 
   // Does this many passes, or none. Returns the number of vertices moved in the last one.
   std::size_t run(unsigned passes)
   {
-    if (length_ < FINE * mean_altitude_of_surface()) return 0;
+    if (is_finer_than_surface(context_, length_)) return 0;
     data_.template read<ConcurrencyTag>(mesh_);
     equations_.assign(mesh_.number_of_face_slots(), Face_equations());
     nearest_faces_.assign(3 * mesh_.number_of_face_slots(), -1);
@@ -170,14 +181,6 @@ private:
   {
     const auto& v = mesh_.face_record(f).vertex;
     return triangle_cross(mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2]));
-  }
-
-  double mean_altitude_of_surface() const
-  {
-    const Reference_surface& surface = context_.projector.surface;
-    double sum = 0;
-    for (Index f = 0; f < Index(surface.number_of_faces()); ++f) sum += surface.least_altitude(f);
-    return sum / (double(surface.number_of_faces()) * context_.projector.factor);
   }
 
   // Where on the surface the walk of a sample begins: where a corner was projected. One on a curve says nothing about the

@@ -106,16 +106,12 @@ inline void find_paying_flips(const Remeshing_mesh& mesh, Remeshing_mesh::Index 
     });
 }
 
-// Returns the number of flips. The sectors have been measured.
+// Flips the edges of `candidates` that pay. Returns the number of flips. The sectors have been measured.
 template <class ConcurrencyTag, class Context>
-std::size_t flip_pass(Context& context)
+std::size_t flip_pass(Context& context, std::vector<Remeshing_mesh::Index>& candidates)
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
-  std::vector<Index> candidates;
-  scan_into<ConcurrencyTag>(candidates, mesh.number_of_vertex_slots(), [&](std::size_t v, std::vector<Index>& found) {
-    if (mesh.is_vertex(Index(v))) find_paying_flips(mesh, Index(v), found);
-  });
   std::size_t flips = 0;
   evaluate_then_apply<ConcurrencyTag>(mesh, candidates,
     [&](Index h) -> bool {
@@ -127,6 +123,19 @@ std::size_t flip_pass(Context& context)
       ++flips;
     });
   return flips;
+}
+
+// The same for all edges.
+template <class ConcurrencyTag, class Context>
+std::size_t flip_pass(Context& context)
+{
+  using Index = Remeshing_mesh::Index;
+  const Remeshing_mesh& mesh = context.mesh;
+  std::vector<Index> candidates;
+  scan_into<ConcurrencyTag>(candidates, mesh.number_of_vertex_slots(), [&](std::size_t v, std::vector<Index>& found) {
+    if (mesh.is_vertex(Index(v))) find_paying_flips(mesh, Index(v), found);
+  });
+  return flip_pass<ConcurrencyTag>(context, candidates);
 }
 
 } // namespace internal

@@ -179,6 +179,9 @@ private:
 
   void make_room(const Remeshing_mesh& mesh)
   {
+    const std::size_t new_faces = mesh.number_of_live_faces() - (std::min)(mesh.number_of_live_faces(), copy_.faces.size()),
+                      new_edges = edges_needed_ - (std::min)(edges_needed_, spare_edges_.size());
+    reserve(tmesh_, num_vertices(tmesh_) + new_vertices_.size(), num_edges(tmesh_) + new_edges, num_faces(tmesh_) + new_faces);
     for (; vertices_made_ < new_vertices_.size(); ++vertices_made_)
       vertex_of_[new_vertices_[vertices_made_]] = add_vertex(tmesh_);
     while (copy_.faces.size() < mesh.number_of_live_faces()) copy_.faces.push_back(add_face(tmesh_));

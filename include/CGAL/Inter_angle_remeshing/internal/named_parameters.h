@@ -77,6 +77,15 @@ auto policy_from(const Given& given, const Preset&)
   }
 }
 
+// Whether no rule of the user's was given.
+inline bool is_left_to_the_recipe(const Not_given&) { return true; }
+template <class Given>
+bool is_left_to_the_recipe(const Given& given)
+{
+  if constexpr (std::is_arithmetic<Given>::value) return bool(given);
+  else { (void)given; return false; }
+}
+
 inline Default_visitor& visitor_from(Not_given&, Default_visitor& preset) { return preset; }
 template <class Visitor>
 Visitor& visitor_from(std::reference_wrapper<Visitor>& given, Default_visitor&) { return given.get(); }

@@ -63,11 +63,11 @@ public:
 
   Relaxation(const Recipe& recipe, const Input_curves& curves) : recipe_(recipe), curves_(curves) {}
 
-  // Returns the number of vertices that may have moved. Slides leave no chord further than `curve_tolerance` from its
-  // curve, unless it is that already.
+  // Returns the number of vertices that may have moved: all of them, or those of a region. Slides leave no chord further than
+  // `curve_tolerance` from its curve, unless it is that already.
   template <class ConcurrencyTag, class Projector>
   std::size_t run(Remeshing_mesh& mesh, const Projector& projector, unsigned sweeps, Pull_back pull_back,
-                  double curve_tolerance);
+                  double curve_tolerance, const Sweep_data::Region* region = nullptr);
 
 private:
   using Mobility = Sweep_data::Mobility;
@@ -395,12 +395,12 @@ void Relaxation::project_all(const Projector& projector)
 
 template <class ConcurrencyTag, class Projector>
 std::size_t Relaxation::run(Remeshing_mesh& mesh, const Projector& projector, unsigned sweeps, Pull_back pull_back,
-                            double curve_tolerance)
+                            double curve_tolerance, const Sweep_data::Region* region)
 {
   using Tag = std::conditional_t<Projector::IS_CONCURRENT, ConcurrencyTag, CGAL::Sequential_tag>;
   mesh_ = &mesh;
   curve_tolerance_ = curve_tolerance;
-  data_.read<ConcurrencyTag>(mesh);
+  data_.read<ConcurrencyTag>(mesh, region);
   normal_.resize(data_.size());
   step_factor_.resize(data_.size());
   safe_step_.resize(data_.size());

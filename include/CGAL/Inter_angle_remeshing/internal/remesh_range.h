@@ -51,6 +51,7 @@ struct Remeshing_parameters
   Constraint_settings constraint_settings;
   bool may_collapse_constraints;
   bool does_project;
+  bool may_subdivide;
 };
 
 inline void check_recipe(const Recipe& recipe)
@@ -71,6 +72,8 @@ inline void check_recipe(const Recipe& recipe)
                       std::to_string(recipe.upper_angle) + "] of the recipe must lie in [0, 180] and hold 60 inside");
   if (!(recipe.grading >= 0))
     refuse(REMESHING, "Recipe::grading is negative or not a number");
+  if (!(recipe.distance_tolerance >= 0))
+    refuse(REMESHING, "Recipe::distance_tolerance is negative or not a number");
   if (!(recipe.collapse_tolerance >= 0))
     refuse(REMESHING, "Recipe::collapse_tolerance is negative or not a number");
 }
@@ -176,6 +179,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   mesh.renumber<ConcurrencyTag>(morton_order(mesh));
   Input_curves curves(mesh);
 
+  bool is_to_be_written = true;
   Remeshing_report report = run_with_projector<ConcurrencyTag>(parameters, exchange, mesh, kind, curves, target,
     [&](const auto& projector) {
       using Context = Remeshing_context<Vertex, decltype(parameters.split_policy), decltype(parameters.collapse_policy),
@@ -184,12 +188,17 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
       Context context{mesh, parameters.recipe, curves, exchange.input_vertices(),
                       boost::graph_traits<TriangleMesh>::null_vertex(), parameters.split_policy,
                       parameters.collapse_policy, parameters.flip_policy, projector, parameters.visitor,
-                      parameters.may_collapse_constraints, target, kind.is_cad ? parameters.recipe.grading : 0., Grading()};
-      return Remesher<ConcurrencyTag, Context>(context, parameters.schedule).run();
+                      parameters.may_collapse_constraints, target,
+                      parameters.may_subdivide, kind.is_cad ? parameters.recipe.grading : 0., Grading()};
+      Remesher<ConcurrencyTag, Context> remesher(context, parameters.schedule);
+      const Remeshing_report result = remesher.run();
+      is_to_be_written = remesher.is_at_finest_level();
+      return result;
     });
 
   report.features = kind.features;
   report.feature_edges = kind.feature_edges;
+  if (!is_to_be_written) return report;
   exchange.write(mesh);
   write_constraints(exchange, mesh, tmesh, parameters.edge_is_constrained_map, parameters.face_patch_map, patches);
   return report;

@@ -95,6 +95,38 @@ inline bool is_beside_much_longer_edge(const Remeshing_mesh& mesh, Remeshing_mes
   return false;
 }
 
+// Where a split puts its vertex before it is projected.
+template <class Context>
+Vector3 split_point(const Context& context, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh& mesh = context.mesh;
+  return mesh.has_place(h) ? middle_on_curve(context, h)
+                           : 0.5 * (mesh.position(mesh.origin(h)) + mesh.position(mesh.target(h)));
+}
+
+// Splits the edge of h; the new vertex is yet to be projected.
+template <class Context>
+Split_vertex split_edge(Context& context, Remeshing_mesh::Index h)
+{
+  Remeshing_mesh& mesh = context.mesh;
+  Split_vertex made = split_hints(context, h);
+  const Remeshing_mesh::Index a = mesh.origin(h), b = mesh.target(h);
+  made.vertex = mesh.split(h, split_point(context, h));
+  context.grading.inherit(made.vertex, a, b);
+  mesh.hint(made.vertex) = made.hint;
+  return made;
+}
+
+// The same; the visitor is told.
+template <class Context>
+Split_vertex split(Context& context, Remeshing_mesh::Index h)
+{
+  context.visitor.before_split(Mesh_halfedge(h), context.mesh);
+  const Split_vertex made = split_edge(context, h);
+  context.visitor.after_split(Mesh_vertex(made.vertex), context.mesh);
+  return made;
+}
+
 // Splits the edges of `long_edges` as far as they are still too long; appends short edges at new vertices to
 // `short_edges`. Returns the number of splits.
 template <class ConcurrencyTag, class Context>
@@ -103,10 +135,6 @@ std::size_t split_pass(Context& context, std::vector<Remeshing_mesh::Index>& lon
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
-  const auto midpoint = [&](Index h) {
-    return mesh.has_place(h) ? middle_on_curve(context, h)
-                             : 0.5 * (mesh.position(mesh.origin(h)) + mesh.position(mesh.target(h)));
-  };
   const auto is_too_long = [&](Index h) {
     return mesh.has_place(h) ? is_too_long_on_curve(context, h)
                              : mesh.squared_edge_length(h) > context.squared_length_limit(mesh.origin(h), mesh.target(h));
@@ -114,29 +142,23 @@ std::size_t split_pass(Context& context, std::vector<Remeshing_mesh::Index>& lon
   const std::vector<Index> curve_edges = long_curve_edges<ConcurrencyTag>(context);
   long_edges.insert(long_edges.end(), curve_edges.begin(), curve_edges.end());
 
-  std::vector<Split_vertex> split;
+  std::vector<Split_vertex> made_vertices;
   evaluate_then_apply<ConcurrencyTag>(mesh, long_edges,
     [&](Index h) -> bool {
       if (!is_too_long(h) || !mesh.is_split_legal(h) || is_beside_much_longer_edge(mesh, h)) return false;
-      const Vector3 p = midpoint(h);
+      const Vector3 p = split_point(context, h);
       return p != mesh.position(mesh.origin(h)) && p != mesh.position(mesh.target(h)) && context.permits_split(h);
     },
     [&](Index h, bool is_to_split) {
       if (!is_to_split) return;
-      Split_vertex made = split_hints(context, h);
-      context.visitor.before_split(Mesh_halfedge(h), mesh);
-      const Index a = mesh.origin(h), b = mesh.target(h);
-      made.vertex = mesh.split(h, midpoint(h));
-      context.grading.inherit(made.vertex, a, b);
-      mesh.hint(made.vertex) = made.hint;
-      context.visitor.after_split(Mesh_vertex(made.vertex), mesh);
-      split.push_back(made);
+      const Split_vertex made = internal::split(context, h);
+      made_vertices.push_back(made);
       mesh.for_each_around(made.vertex, [&](Index k) {
         if (mesh.squared_edge_length(k) < context.squared_shortness_limit(made.vertex, mesh.target(k))) short_edges.push_back(k);
       });
     });
-  project_split_vertices<typename Context::template Projection_tag<ConcurrencyTag>>(context, split);
-  return split.size();
+  project_split_vertices<typename Context::template Projection_tag<ConcurrencyTag>>(context, made_vertices);
+  return made_vertices.size();
 }
 
 } // namespace internal

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_ANGLE_DESCENT_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_ANGLE_DESCENT_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/angle_bands.h>
+#include <CGAL/Inter_angle_remeshing/internal/angle_energy.h>
+#include <CGAL/Inter_angle_remeshing/internal/curve_edges.h>
+#include <CGAL/Inter_angle_remeshing/internal/thin_angles.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// One step of a vertex along the surface, or along its curve, that brings the angles around it nearer to the band: descent on
+// the energy of its star, see angle_energy.h.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+template <class Context>
+class Angle_descent
+{
+  using Index = Remeshing_mesh::Index;
+
+  // The longest step, and half of the chord that stands for a curve's tangent, in target lengths.
+  static constexpr double LONGEST_STEP = 0.15, DIFFERENCE = 1e-4;
+  // A step goes beyond the zero of the energy's linear model, for E is quadratic there.
+  static constexpr double STEP_FACTOR = 1.5;
+  static constexpr int TRIALS = 4;
+  static constexpr double BACKTRACK = 0.4;
+  // A slide leaves at most this part of the energy: less is not worth that the neighbors look again.
+  static constexpr double ENOUGH = 0.99;
+
+public:
+  Angle_descent(Context& context, double length)
+    : context_(context), mesh_(context.mesh), length_(length), bands_(context.recipe, LOWER_MARGIN, UPPER_MARGIN)
+  {}
+
+  const Angle_bands& bands() const { return bands_; }
+
+  // Whether v moved.
+  bool step(Index v)
+  {
+    if (mesh_.is_free(v)) return move(v);
+    return mesh_.is_sliding(v) && slide(v);
+  }
+
+  // Steps of these vertices, sweep by sweep, until none moves.
+  void sweep(const std::vector<Index>& vertices, int sweeps)
+  {
+    for (bool is_moved = true; is_moved && sweeps > 0; --sweeps) {
+      is_moved = false;
+      for (const Index v : vertices) is_moved |= step(v);
+    }
+  }
+
+  // Moves free vertex v by `way`, or by a half, a quarter ... of it, such that no face folds and the energy rises by `slack` at
+  // most. Returns whether it moved.
+  bool displace(Index v, const Vector3& way, double slack, int trials)
+  {
+    read_star(v);
+    const Vector3 p = mesh_.position(v);
+    const double most = star_.value(p).energy + slack;
+    double step = 1;
+    for (int trial = 0; trial < trials; ++trial, step *= 0.5) {
+      const Vector3 q = p + step * way;
+      if (!star_.keeps_orientation(p, q) || star_.value(q).energy > most) continue;
+      mesh_.position(v) = q;
+      return true;
+    }
+    return false;
+  }
+
+  // Moves free vertex v to q, or part of the way there, whatever becomes of the angles, but without a fold.
+  bool snap(Index v, const Vector3& q)
+  {
+    return displace(v, q - mesh_.position(v), std::numeric_limits<double>::infinity(), TRIALS);
+  }
+
+private:
+  void read_star(Index v)
+  {
+    star_.read(mesh_, v, [&](Index u, Index w) -> const Angle_band& { return bands_.of(mesh_, v, u, w); });
+  }
+
+  // Whether the star is better with v at q, having the energy `enough` at most, and neither folds nor grows thin.
+  bool is_better(const Star_energy::Value& before, double enough, const Vector3& p, const Vector3& q) const
+  {
+    const Star_energy::Value after = star_.value(q);
+    return after.energy < enough && star_.keeps_orientation(p, q) &&
+           !makes_thin_angle(1 - before.largest_cosine * before.largest_cosine, 1 - after.largest_cosine * after.largest_cosine);
+  }
+
+  bool move(Index v)
+  {
+    read_star(v);
+    const Vector3 p = mesh_.position(v);
+    const Star_energy::Value before = star_.value(p);
+    if (!(before.energy > 0)) return false;
+    const Vector3 normal = star_.normal(p);
+    const double l = squared_length(normal);
+    if (!(l > 0)) return false;
+    Vector3 g = star_.gradient(p);
+    g = g - (dot(g, normal) / l) * normal;
+    const double slope = internal::length(g);
+    if (!(slope > 0)) return false;
+    const Vector3 offset = offset_of(v, normal, l);
+    double step = (std::min)(LONGEST_STEP * length_, STEP_FACTOR * before.energy / slope);
+    for (int trial = 0; trial < TRIALS; ++trial, step *= BACKTRACK) {
+      Index hint = mesh_.hint(v);
+      const Vector3 q = context_.projector(p - (step / slope) * g, hint) + offset;
+      if (!context_.projector.is_compatible(hint, normal) || !is_better(before, before.energy, p, q)) continue;
+      mesh_.hint(v) = hint;
+      mesh_.position(v) = q;
+      return true;
+    }
+    return false;
+  }
+
+  // What a fit has put v off the surface, along the normal of its star.
+  Vector3 offset_of(Index v, const Vector3& normal, double squared_length_of_normal) const
+  {
+    if (!std::decay_t<decltype(context_.projector)>::HAS_FACES || context_.recipe.fits == 0) return {};
+    Index hint = mesh_.hint(v);
+    const Vector3 d = mesh_.position(v) - context_.projector(mesh_.position(v), hint);
+    return (dot(d, normal) / squared_length_of_normal) * normal;
+  }
+
+  // The same along a curve. The energy falls to one of the two sides.
+  bool slide(Index v)
+  {
+    read_star(v);
+    const Vector3 p = mesh_.position(v);
+    const Star_energy::Value before = star_.value(p);
+    if (!(before.energy > 0)) return false;
+    std::array<Index, 2> ends{};
+    std::size_t n = 0;
+    for_each_curve_halfedge(mesh_, v, [&](Index h) { if (n < 2) ends[n++] = mesh_.curve_end(h); });
+    const Index curve = mesh_.curve_of(ends[0]);
+    const double t = mesh_.arc_length(ends[0]);
+    const Vector3 g = star_.gradient(p);
+    double low = mesh_.arc_length(ends[0] ^ 1) - t, high = mesh_.arc_length(ends[1] ^ 1) - mesh_.arc_length(ends[1]);
+    if (low > high) std::swap(low, high);
+    const double d = DIFFERENCE * length_;
+    const double slope = dot(g, context_.curves.point(curve, t + d) - context_.curves.point(curve, t - d)) / (2 * d);
+    if (!(slope != 0)) return false;
+    double step = (std::min)(LONGEST_STEP * length_, STEP_FACTOR * before.energy / std::abs(slope));
+    for (int trial = 0; trial < TRIALS; ++trial, step *= BACKTRACK) {
+      const double shift = slope > 0 ? -step : step;
+      if (!(shift > low / 2 && shift < high / 2)) continue;
+      const Vector3 q = context_.curves.point(curve, t + shift);
+      if (!is_better(before, ENOUGH * before.energy, p, q) || leaves_curve(ends, shift, q)) continue;
+      for (const Index end : ends) mesh_.arc_length(end) += shift;
+      mesh_.position(v) = q;
+      return true;
+    }
+    return false;
+  }
+
+  // Whether one of the two chords at a vertex of a curve would lie too far from it if the vertex moved to q.
+  bool leaves_curve(const std::array<Index, 2>& ends, double shift, const Vector3& q) const
+  {
+    return std::any_of(ends.begin(), ends.end(), [&](Index end) {
+      const Index curve = mesh_.curve_of(end);
+      const double t = mesh_.arc_length(end ^ 1);
+      return context_.curves.deviation(curve, mesh_.arc_length(end) + shift, t, q, context_.curves.point(curve, t)) >
+             CURVE_TOLERANCE * length_;
+    });
+  }
+
+  Context& context_;
+  Remeshing_mesh& mesh_;
+  double length_;
+  Angle_bands bands_;                    // narrower than those asked for
+  Star_energy star_;                     // of the vertex that is looked at
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_ANGLE_DESCENT_H

@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_FOLDS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FOLDS_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/angle_bands.h>
+#include <CGAL/Inter_angle_remeshing/internal/projection.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+// Faces that fold over their neighbors where the surface does not.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// A face folds over its neighbor if the cosine between their normals is less; each tenth less counts as two degrees.
+constexpr double FOLD_COSINE = -0.5, DEGREES_OF_FOLD = 20;
+// Smallest cosine between the normals of a face and of the surface, or of its facet, under its centre: 60 degrees.
+constexpr double LEAVING_COSINE = 0.5;
+
+inline Vector3 cross_product(const Remeshing_mesh& mesh, Remeshing_mesh::Index f)
+{
+  const auto& v = mesh.face_record(f).vertex;
+  return triangle_cross(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]));
+}
+
+// Whether face f turns away from the surface. Beside a sharp crease of the surface neither of two faces does.
+template <class Context>
+bool leaves_surface(const Context& context, Remeshing_mesh::Index f)
+{
+  if constexpr (std::decay_t<decltype(context.projector)>::HAS_FACES) {
+    const Remeshing_mesh& mesh = context.mesh;
+    const auto& v = mesh.face_record(f).vertex;
+    const Vector3 centre = (1. / 3) * (mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2]));
+    Surface_point nearest;
+    Remeshing_mesh::Index facet = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Remeshing_mesh::Index u : v) {
+      Remeshing_mesh::Index hint = mesh.hint(u);
+      const Surface_point p = context.projector.nearest(centre, hint);
+      if (const double d = squared_distance(p.point, centre); d < least) { nearest = p; facet = hint; least = d; }
+    }
+    const auto turns_away_from = [&, own = cross_product(mesh, f)](const Vector3& normal) {
+      return !is_cosine_at_least(normal, own, LEAVING_COSINE);
+    };
+    return turns_away_from(nearest.normal) && turns_away_from(context.projector.surface.cross_product(facet));
+  } else
+    return true;
+}
+
+// By how much face f folds over one of its neighbors, in degrees; not positive where it does not.
+template <class Context>
+double fold_violation(const Context& context, Remeshing_mesh::Index f)
+{
+  using Index = Remeshing_mesh::Index;
+  const Remeshing_mesh& mesh = context.mesh;
+  const Vector3 n = cross_product(mesh, f);
+  double least = 1;
+  for (Index h = 4 * f; h < 4 * f + 3; ++h) {
+    if (mesh.is_on_curve_edge(h)) continue;
+    const Index g = mesh.face(mesh.opposite(h));
+    const Vector3 m = cross_product(mesh, g);
+    const double product = dot(n, m);
+    if (product >= 0) continue;
+    const double cosine = product / std::sqrt(squared_length(n) * squared_length(m));
+    if (cosine < (std::min)(least, FOLD_COSINE) && (leaves_surface(context, f) || leaves_surface(context, g))) least = cosine;
+  }
+  return DEGREES_OF_FOLD * (FOLD_COSINE - least);
+}
+
+// How far face f is out of its band, or folded, in degrees; not positive where it is neither.
+template <class Context>
+double violation(const Context& context, const Angle_bands& bands, Remeshing_mesh::Index f)
+{
+  return (std::max)(angle_violation(context.mesh, bands, f), fold_violation(context, f));
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_FOLDS_H

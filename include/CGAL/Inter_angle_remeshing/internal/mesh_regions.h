@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_MESH_REGIONS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_MESH_REGIONS_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+// Small parts of a mesh, for passes that work on one place after the other.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Remembers which of n elements were met since the last start().
+class Visit_marks
+{
+public:
+  void start(std::size_t n)
+  {
+    if (mark_.size() < n) mark_.resize(n, 0);
+    ++last_;
+  }
+  // Whether i is met for the first time.
+  bool visit(std::size_t i) { return mark_[i] != last_ && (mark_[i] = last_, true); }
+
+private:
+  std::vector<unsigned> mark_;
+  unsigned last_ = 0;
+};
+
+// The vertices within so many rings around `seeds`, and these, ring by ring.
+inline std::vector<Remeshing_mesh::Index> ball(const Remeshing_mesh& mesh, const std::vector<Remeshing_mesh::Index>& seeds,
+                                               int rings, Visit_marks& marks)
+{
+  using Index = Remeshing_mesh::Index;
+  marks.start(mesh.number_of_vertex_slots());
+  std::vector<Index> result;
+  const auto add = [&](Index v) { if (marks.visit(std::size_t(v))) result.push_back(v); };
+  for (const Index v : seeds) add(v);
+  std::size_t begin = 0;
+  for (int ring = 0; ring < rings; ++ring)
+    for (const std::size_t end = result.size(); begin < end; ++begin) mesh.for_each_neighbor(result[begin], add);
+  return result;
+}
+
+inline std::vector<Remeshing_mesh::Index> faces_around(const Remeshing_mesh& mesh,
+                                                       const std::vector<Remeshing_mesh::Index>& vertices)
+{
+  using Index = Remeshing_mesh::Index;
+  std::vector<Index> result;
+  for (const Index v : vertices) mesh.for_each_around(v, [&](Index h) { result.push_back(mesh.face(h)); });
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+// The ends of the edge of h and the vertices opposite to it.
+inline std::vector<Remeshing_mesh::Index> ends_and_apexes(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh::Index side = h < 0 ? ~h : h, o = mesh.opposite(side);
+  std::vector<Remeshing_mesh::Index> result = {mesh.origin(side), mesh.target(side), mesh.apex(side)};
+  if (o >= 0) result.push_back(mesh.apex(o));
+  return result;
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_MESH_REGIONS_H

@@ -1,0 +1,255 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_REPAIR_PASS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REPAIR_PASS_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Angle_descent.h>
+#include <CGAL/Inter_angle_remeshing/internal/Mesh_snapshot.h>
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/angle_bands.h>
+#include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/flip_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/folds.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh_regions.h>
+#include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+// Mends the faces whose angles no move of a vertex brings into the band, and folds: the worst one first, every flip, collapse
+// and split near it is tried, each followed by descents of the vertices around; the one that leaves least stays, all others
+// are undone.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+template <class Context>
+class Repairer
+{
+  using Index = Remeshing_mesh::Index;
+
+  // Rounds over the faces that are bad; in the first one only operations next to the face are tried.
+  static constexpr int MAXIMUM_ROUNDS = 12;
+  static constexpr std::size_t VERTICES_AT_FIRST = 3, VERTICES_LATER = 12;
+  // Sweeps of descent over the vertices around an operation that is tried, and around so many of the best.
+  static constexpr int FIRST_SWEEPS = 2, SWEEPS = 8;
+  static constexpr std::size_t FINALISTS = 5;
+  // The pass ends after so many trials for angles and as many for folds, and so many more of each for every bad face, but at most
+  // one for so many faces: a trial takes as long as ten faces of the run.
+  static constexpr std::size_t LEAST_TRIALS = 100, TRIALS_PER_BAD_FACE = 10, FACES_PER_TRIAL = 40;
+  // Operations at vertices with hundreds of edges would take too long to try.
+  static constexpr std::size_t LARGEST_REGION = 100;
+  // Squared lengths, in those of the target, up to which edges are collapsed and from which they are split here.
+  static constexpr double COLLAPSED = 1.1, SPLIT = 0.8;
+  // What a collapse may do here: the square of the longest new edge, and how far from the new surface the vertex may lie.
+  static constexpr double LONGEST = 3, TOLERANCE = 0.3;
+  // By how much a flip may raise the sum of the squared valence deviations.
+  static constexpr int GAIN_AT_FIRST = 4, GAIN_LATER = 8;
+  // An operation stays if it takes away this part of what is bad around it.
+  static constexpr double NOTICEABLE = 0.02;
+  static constexpr double TOUCH = 0.05;      // degrees that every bad face counts more
+
+  enum class Kind { none, flip, collapse, split };
+  struct Operation
+  {
+    Kind kind = Kind::none;
+    Index halfedge = -1;
+  };
+
+public:
+  Repairer(Context& context, double length)
+    : context_(context), mesh_(context.mesh), length_(length), bands_(context.recipe), descent_(context, length),
+      limits_{LONGEST * length * length, TOLERANCE * length * TOLERANCE * length, MAXIMUM_MERGED_VALENCE}
+  {}
+
+  // Returns the number of operations. A further run looks at what has become bad since; what was given up stays so, and the
+  // number of trials is that of both.
+  std::size_t run()
+  {
+    std::size_t operations = 0;
+    for (round_ = 0; round_ < MAXIMUM_ROUNDS; ++round_) {
+      std::vector<std::pair<double, Index>> bad = bad_faces();
+      if (bad.empty()) break;
+      if (most_trials_ == 0)
+        most_trials_ = LEAST_TRIALS + (std::min)(TRIALS_PER_BAD_FACE * bad.size(),
+                                                 mesh_.number_of_live_faces() / FACES_PER_TRIAL);
+      std::sort(bad.begin(), bad.end());
+      const char level = round_ == 0 ? 1 : 2;
+      bool is_better = false;
+      for (const auto& b : bad) {
+        const Index f = b.second;
+        if (!mesh_.is_face(f) || given_up(f) >= level || violation(f) <= 0) continue;
+        is_folded_ = fold_violation(context_, f) > 0;
+        if (trials_[is_folded_] > most_trials_) continue;
+        if (const Operation best = best_operation(f); best.kind != Kind::none) {
+          commit(best);
+          ++operations;
+          is_better = true;
+        } else
+          given_up(f) = level;
+      }
+      if (!is_better && round_ > 0) break;
+    }
+    return operations;
+  }
+
+private:
+  // 1 if no operation next to face f helps, 2 if none near it does.
+  char& given_up(Index f)
+  {
+    if (std::size_t(f) >= given_up_.size()) given_up_.resize(mesh_.number_of_face_slots(), 0);
+    return given_up_[f];
+  }
+
+  std::vector<std::pair<double, Index>> bad_faces() const
+  {
+    std::vector<std::pair<double, Index>> result;
+    for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f)
+      if (mesh_.is_face(f))
+        if (const double v = violation(f); v > 0) result.emplace_back(-v, f);
+    return result;
+  }
+
+  double violation(Index f) const { return internal::violation(context_, bands_, f); }
+
+  double score(const std::vector<Index>& faces) const
+  {
+    double sum = 0;
+    for (const Index f : faces) {
+      if (!mesh_.is_face(f)) continue;
+      const double v = violation(f);
+      if (v > 0) sum += TOUCH + v + v * v;
+    }
+    return sum;
+  }
+
+  // What may be tried near face f.
+  std::vector<Operation> operations(Index f)
+  {
+    const auto& corner = mesh_.face_record(f).vertex;
+    std::vector<Index> centers = ball(mesh_, {corner[0], corner[1], corner[2]}, 1, marks_);
+    centers.resize((std::min)(centers.size(), round_ == 0 ? VERTICES_AT_FIRST : VERTICES_LATER));
+    std::vector<Index> edges;
+    for (const Index v : centers)
+      mesh_.for_each_around(v, [&](Index h) {
+        for (const Index k : {h, mesh_.prev(h)}) {
+          const Index o = mesh_.opposite(k);
+          edges.push_back(o >= 0 && o < k ? o : k);
+        }
+      });
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    std::vector<Operation> result;
+    const int gain = round_ == 0 ? GAIN_AT_FIRST : GAIN_LATER;
+    const double unit = length_ * length_;
+    for (const Index h : edges) {
+      const double l = mesh_.squared_edge_length(h);
+      if (!mesh_.is_on_curve_edge(h) && flip_gain(mesh_, h) <= gain) result.push_back({Kind::flip, h});
+      if (l < COLLAPSED * unit) {
+        result.push_back({Kind::collapse, h});
+        result.push_back({Kind::collapse, mesh_.opposite(h)});
+      }
+      if (l > SPLIT * unit) result.push_back({Kind::split, h});
+    }
+    return result;
+  }
+
+  bool is_allowed(const Operation& operation) const
+  {
+    const Index h = operation.halfedge;
+    switch (operation.kind) {
+    case Kind::flip:
+      return is_folded_ ? mesh_.is_flip_legal(h) && context_.permits_flip(h, false) : is_flip_allowed(context_, h, false);
+    case Kind::collapse:
+      if (is_folded_ && mesh_.is_free(mesh_.source(h))) return mesh_.is_collapse_legal(h) && context_.permits_collapse(h);
+      return mesh_.valence(mesh_.source(h)) + mesh_.valence(mesh_.source(mesh_.opposite(h))) - 4 <= limits_.valence &&
+             is_collapse_allowed(context_, h, limits_);
+    case Kind::split: return mesh_.is_split_legal(h) && context_.permits_split(h);
+    default: return false;
+    }
+  }
+
+  // Returns the vertices that it touched. The visitor is told of what stays only.
+  std::vector<Index> apply(const Operation& operation, bool is_announced = false)
+  {
+    const Index h = operation.halfedge;
+    std::vector<Index> touched = ends_and_apexes(mesh_, h);
+    if (operation.kind == Kind::flip) {
+      if (is_announced) flip(context_, h); else mesh_.flip(h);
+    } else if (operation.kind == Kind::collapse) {
+      touched.erase(std::find(touched.begin(), touched.end(), mesh_.source(h)));
+      if (is_announced) collapse(context_, h); else mesh_.collapse(h);
+    } else {
+      const Split_vertex made = is_announced ? split(context_, h) : split_edge(context_, h);
+      project_split_vertices<CGAL::Sequential_tag>(context_, {made});
+      touched.push_back(made.vertex);
+    }
+    return touched;
+  }
+
+  // How much less is bad after the operation and so many sweeps; all is undone.
+  double gain(const Operation& operation, int sweeps)
+  {
+    const std::vector<Index> around = ball(mesh_, ends_and_apexes(mesh_, operation.halfedge), 1, marks_);
+    if (around.size() > LARGEST_REGION) return 0;
+    ++trials_[is_folded_];
+    snapshot_.take(mesh_, around);
+    const double before = score(snapshot_.faces());
+    const std::vector<Index> moving = ball(mesh_, apply(operation), 1, marks_);
+    descent_.sweep(moving, sweeps);
+    const double after = score(faces_around(mesh_, moving));
+    snapshot_.restore(mesh_);
+    return before - after > NOTICEABLE * before ? before - after : 0;
+  }
+
+  // A few sweeps tell which operations are promising, many more which of these is the best.
+  Operation best_operation(Index f)
+  {
+    std::vector<std::pair<double, Operation>> promising;
+    for (const Operation& operation : operations(f))
+      if (trials_[is_folded_] <= most_trials_ && is_allowed(operation))
+        promising.emplace_back(gain(operation, FIRST_SWEEPS), operation);
+    const std::size_t n = (std::min)(promising.size(), FINALISTS);
+    const auto is_better = [](const auto& a, const auto& b) { return a.first > b.first; };
+    std::stable_sort(promising.begin(), promising.end(), is_better);
+    promising.resize(n);
+    for (auto& p : promising) p.first = gain(p.second, SWEEPS);
+    const auto best = std::min_element(promising.begin(), promising.end(), is_better);
+    return best != promising.end() && best->first > 0 ? best->second : Operation();
+  }
+
+  void commit(const Operation& operation)
+  {
+    const std::vector<Index> touched = apply(operation, true);
+    descent_.sweep(ball(mesh_, touched, 1, marks_), SWEEPS);
+    const std::vector<Index> around = ball(mesh_, touched, 2, marks_);
+    descent_.sweep(around, SWEEPS);
+    for (const Index g : faces_around(mesh_, around)) given_up(g) = 0;
+  }
+
+  Context& context_;
+  Remeshing_mesh& mesh_;
+  double length_;
+  Angle_bands bands_;
+  Angle_descent<Context> descent_;
+  Collapse_limits limits_;
+  Mesh_snapshot snapshot_;
+  int round_ = 0;
+  bool is_folded_ = false;               // the face at hand
+  std::array<std::size_t, 2> trials_{};  // for angles, and for folds, which leave angles to mend
+  std::size_t most_trials_ = 0;          // of each
+  std::vector<char> given_up_;           // by face
+  Visit_marks marks_;
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_REPAIR_PASS_H

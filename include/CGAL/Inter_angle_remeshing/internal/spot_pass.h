@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_SPOT_PASS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SPOT_PASS_H
+
+#include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
+#include <CGAL/Inter_angle_remeshing/internal/angle_energy.h>
+#include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/flip_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/folds.h>
+#include <CGAL/Inter_angle_remeshing/internal/relax_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// Iterates on a few spots alone: where a coarse level did not resolve the surface, at a tip or between two sheets that are
+// close together, faces of the finer one are stretched, crushed or folded, and need what the direct loop does to all of them.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Whether the angles of face f are out of the band, or it is folded over. Beside a curve the surface looks several ways, and
+// angles are what the curve leaves.
+template <class Context>
+bool is_poor_face(const Context& context, Remeshing_mesh::Index f, const Angle_band& band)
+{
+  const Remeshing_mesh& mesh = context.mesh;
+  const auto& v = mesh.face_record(f).vertex;
+  if (v[0] < 0 || mesh.is_on_curve(v[0]) || mesh.is_on_curve(v[1]) || mesh.is_on_curve(v[2])) return false;
+  return !band.holds(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])) || fold_violation(context, f) > 0;
+}
+
+template <class ConcurrencyTag, class Context>
+class Spot_iteration
+{
+  using Index = Remeshing_mesh::Index;
+
+  // A face with an angle out of this band, in degrees, is more than sweeps and the polish can mend,
+  static constexpr double LOWER_ANGLE = 30, UPPER_ANGLE = 105;
+  // and so may be the vertices within so many edges of it.
+  static constexpr int REACH = 6;
+  static constexpr int ROUNDS = 12;
+  // So many rounds without fewer poor faces than ever before are the last ones.
+  static constexpr int PATIENCE = 4;
+  static constexpr unsigned SWEEPS = 5;
+  // Where more than this part of the vertices belongs to spots, they are no spots: the mesh is one that needs the sweeps of all.
+  static constexpr double LARGEST_SHARE = 0.02;
+
+public:
+  Spot_iteration(Context& context, Relaxation& relaxation)
+    : context_(context), mesh_(context.mesh), relaxation_(relaxation), band_(LOWER_ANGLE, UPPER_ANGLE)
+  {}
+
+  // Whether no poor face is left.
+  bool is_done() const { return seeds_.empty(); }
+
+  // Returns the number of vertices in the spots.
+  std::size_t run(double curve_tolerance, Remeshing_report& report)
+  {
+    scan_into<ConcurrencyTag>(seeds_, mesh_.number_of_face_slots(), [&](std::size_t f, std::vector<Index>& found) {
+      const auto& v = mesh_.face_record(Index(f)).vertex;
+      if (is_poor(Index(f))) found.insert(found.end(), v, v + 3);
+    });
+    std::size_t count = 0;
+    std::size_t fewest = seeds_.size();
+    int stalled = 0;
+    for (int round = 0; round < ROUNDS && !seeds_.empty() && stalled < PATIENCE; ++round) {
+      find_region();
+      if (double(region_.movable) > LARGEST_SHARE * double(mesh_.number_of_live_vertices())) break;
+      count = (std::max)(count, region_.movable);
+      split_and_collapse(report);
+      keep_seeds();
+      find_region();
+      flip(report);
+      relaxation_.template run<CGAL::Sequential_tag>(mesh_, context_.projector, SWEEPS, Pull_back::after_last_sweep,
+                                                     curve_tolerance, &region_);
+      find_seeds();
+      stalled = seeds_.size() < fewest ? 0 : stalled + 1;
+      fewest = (std::min)(fewest, seeds_.size());
+    }
+    return count;
+  }
+
+private:
+  bool is_poor(Index f) const { return is_poor_face(context_, f, band_); }
+
+  // The vertices within reach of the seeds, and those around them.
+  void find_region()
+  {
+    is_in_region_.resize(mesh_.number_of_vertex_slots(), 0);
+    std::vector<Index>& found = region_.vertices;
+    for (const Index v : found) is_in_region_[v] = 0;
+    found.clear();
+    const auto add = [&](Index v) {
+      if (is_in_region_[v]) return;
+      is_in_region_[v] = 1;
+      found.push_back(v);
+    };
+    for (const Index v : seeds_)
+      if (mesh_.is_vertex(v)) add(v);
+    std::size_t begin = 0;
+    for (int ring = 0; ring <= REACH; ++ring) {
+      const std::size_t end = found.size();
+      region_.movable = end;
+      for (; begin < end; ++begin) mesh_.for_each_neighbor(found[begin], add);
+    }
+  }
+
+  void split_and_collapse(Remeshing_report& report)
+  {
+    if (!(context_.target_length > 0)) return;
+    std::vector<Index> long_edges, short_edges;
+    for (std::size_t i = 0; i < region_.movable; ++i)
+      mesh_.for_each_around(region_.vertices[i], [&](Index h) {
+        if (mesh_.origin(h) > mesh_.target(h)) return;
+        const double l = mesh_.squared_edge_length(h);
+        if (l > context_.squared_length_limit(mesh_.origin(h), mesh_.target(h))) long_edges.push_back(h);
+        if (l < context_.squared_shortness_limit(mesh_.origin(h), mesh_.target(h))) short_edges.push_back(h);
+      });
+    report.splits += split_pass<CGAL::Sequential_tag>(context_, long_edges, short_edges);
+    report.collapses += collapse_pass<CGAL::Sequential_tag>(context_, short_edges);
+  }
+
+  // Collapses may have taken all seeds away; then what is left of the region is looked at.
+  void keep_seeds()
+  {
+    const auto is_live = [&](Index v) { return mesh_.is_vertex(v); };
+    if (std::any_of(seeds_.begin(), seeds_.end(), is_live)) return;
+    const auto begin = region_.vertices.begin();
+    seeds_.assign(begin, begin + std::ptrdiff_t(region_.movable));
+  }
+
+  void flip(Remeshing_report& report)
+  {
+    std::vector<Index> candidates;
+    for (std::size_t i = 0; i < region_.movable; ++i) find_paying_flips(mesh_, region_.vertices[i], candidates);
+    report.flips += flip_pass<CGAL::Sequential_tag>(context_, candidates);
+  }
+
+  void find_seeds()
+  {
+    seeds_.clear();
+    for (std::size_t i = 0; i < region_.movable; ++i) {
+      const Index v = region_.vertices[i];
+      bool has_poor_face = false;
+      mesh_.for_each_around(v, [&](Index h) { has_poor_face = has_poor_face || is_poor(mesh_.face(h)); });
+      if (has_poor_face) seeds_.push_back(v);
+    }
+  }
+
+  Context& context_;
+  Remeshing_mesh& mesh_;
+  Relaxation& relaxation_;
+  Angle_band band_;
+  std::vector<Index> seeds_;
+  Sweep_data::Region region_;
+  std::vector<char> is_in_region_;
+};
+
+// Whether more faces are poor than the direct way leaves, which is one in some hundred thousand.
+template <class ConcurrencyTag, class Context>
+bool has_poor_faces(const Context& context)
+{
+  using Index = Remeshing_mesh::Index;
+  constexpr double LOWER_ANGLE = 18, UPPER_ANGLE = 120, LARGEST_SHARE = 1e-5;
+  const Angle_band band(LOWER_ANGLE, UPPER_ANGLE);
+  std::vector<Index> found;
+  scan_into<ConcurrencyTag>(found, context.mesh.number_of_face_slots(), [&](std::size_t f, std::vector<Index>& out) {
+    if (is_poor_face(context, Index(f), band)) out.push_back(Index(f));
+  });
+  return double(found.size()) > LARGEST_SHARE * double(context.mesh.number_of_live_faces());
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_SPOT_PASS_H

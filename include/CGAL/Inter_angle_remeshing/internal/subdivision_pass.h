@@ -1,0 +1,74 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_SUBDIVISION_PASS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SUBDIVISION_PASS_H
+
+#include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
+
+#include <algorithm>
+#include <type_traits>
+#include <vector>
+
+// Cuts every face into four at the middles of its edges. The vertices that this makes are regular: the irregular ones stay as
+// few as they were while the faces multiply.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Where the surface at the two ends of an edge does not differ by more than this, 26 degrees, the middle of the edge is near
+// enough for the sweeps that follow, which pull it back.
+constexpr double FLAT_EDGE_COSINE = 0.9;
+
+// Whether the new vertex is to be pulled onto the surface at once.
+template <class Context>
+bool is_on_bent_edge(const Context& context, const Split_vertex& middle)
+{
+  if (!context.mesh.is_free(middle.vertex)) return false;
+  if constexpr (std::decay_t<decltype(context.projector)>::HAS_FACES) {
+    const Reference_surface& surface = context.projector.surface;
+    return middle.hint != middle.other_hint &&
+           !is_cosine_at_least(surface.cross_product(middle.hint), surface.cross_product(middle.other_hint), FLAT_EDGE_COSINE);
+  } else
+    return true;
+}
+
+// Returns the number of edges bisected. The mesh is in a space-filling order, and stays in it.
+template <class ConcurrencyTag, class Context>
+std::size_t subdivision_pass(Context& context)
+{
+  using Index = Remeshing_mesh::Index;
+  Remeshing_mesh& mesh = context.mesh;
+  if (mesh.has_free_slots()) mesh.renumber<ConcurrencyTag>(mesh.block_order());
+  const Remeshing_mesh::Subdivision_numbers numbers = mesh.subdivision_numbers();
+  const std::size_t n = numbers.edges.size();
+  std::vector<Vector3> points(n);
+  std::vector<Split_vertex> middles(n);
+  for_each_block<ConcurrencyTag>(n, SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Index h = numbers.edges[i];
+      points[i] = split_point(context, h);
+      middles[i] = split_hints(context, h);
+      middles[i].vertex = numbers.middle[h];
+    }
+  });
+  constexpr bool has_visitor = !std::is_same<std::decay_t<decltype(context.visitor)>, Default_visitor>::value;
+  if constexpr (has_visitor)
+    for (const Index h : numbers.edges) context.visitor.before_split(Mesh_halfedge(h), mesh);
+  mesh.subdivide<ConcurrencyTag>(numbers, points);
+  for (const Split_vertex& middle : middles) mesh.hint(middle.vertex) = middle.hint;
+  if constexpr (has_visitor)
+    for (const Split_vertex& middle : middles) context.visitor.after_split(Mesh_vertex(middle.vertex), mesh);
+  middles.erase(std::remove_if(middles.begin(), middles.end(),
+                               [&](const Split_vertex& middle) { return !is_on_bent_edge(context, middle); }), middles.end());
+  project_split_vertices<typename Context::template Projection_tag<ConcurrencyTag>>(context, middles);
+  return n;
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_SUBDIVISION_PASS_H
