@@ -6,12 +6,13 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_DISTANCE_PASS_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Angle_descent.h>
-#include <CGAL/Inter_angle_remeshing/internal/Crossing_test.h>
+#include <CGAL/Inter_angle_remeshing/internal/Face_grid.h>
 #include <CGAL/Inter_angle_remeshing/internal/Mesh_snapshot.h>
 #include <CGAL/Inter_angle_remeshing/internal/Mls_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/Point_grid.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/angle_bands.h>
+#include <CGAL/Inter_angle_remeshing/internal/crossings.h>
 #include <CGAL/Inter_angle_remeshing/internal/flip_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/folds.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh_regions.h>
@@ -53,6 +54,8 @@ class Distance_reducer
   static constexpr double SPOT_DISTANCE = 1.5;
   // Longest distance between samples on an edge of the surface.
   static constexpr double SAMPLE_DISTANCE = 0.9;
+  // A face of the surface is sampled beyond its corners where one of these is off by this part of the tolerance.
+  static constexpr double SUSPICIOUS = 0.5;
   // Least squares end with the first part of the tolerance, and no more is tried with the second one.
   static constexpr double GOOD = 0.85, ACCEPTED = 0.95;
   // Least squares: their number, damping, regularisation, and the weight of a sample that is right: the others count by the
@@ -84,6 +87,7 @@ class Distance_reducer
   {
     double distance;
     Sample sample;
+    std::optional<Vector3> place;        // on the mesh, where the spot is one of its faces that is far from the surface
   };
   enum class Outcome { nothing, bettered, mended };
   enum class Kind { move, snap, split };
@@ -157,31 +161,39 @@ private:
     }
   }
 
-  // Corners, points on long edges and the centre of a face of the surface, in the order of the faces that it is asked for:
-  // what two faces share is sampled with the first one.
+  // Samples of a face of the surface. What two faces share is sampled with the one that is asked for first.
   template <class Function>
-  void for_each_sample_of(Index f, const Function& function)
+  void for_each_corner_of(Index f, const Function& function)
   {
-    const auto take = [&](const Barycentric& b) { function(context_.projector.at(f, b).point); };
+    const auto& v = surface_.face_record(f).vertex;
+    for (int k = 0; k < 3; ++k) {
+      if (!surface_vertices_.visit(std::size_t(v[k]))) continue;
+      Barycentric b{0, 0, 0};
+      b[k] = 1;
+      function(v[k], context_.projector.at(f, b).point);
+    }
+  }
+  // The same for points on long edges, and for the centre.
+  template <class Function>
+  void for_each_inner_sample_of(Index f, const Function& function)
+  {
     const auto& v = surface_.face_record(f).vertex;
     for (int k = 0; k < 3; ++k) {
       const Index h = 4 * f + k, o = surface_.opposite(h);
-      Barycentric b{0, 0, 0};
-      if (surface_vertices_.visit(std::size_t(v[k]))) { b[k] = 1; take(b); }
       if (!surface_edges_.visit(std::size_t(o >= 0 && o < h ? o : h))) continue;
       const double l = std::sqrt(squared_distance(surface_.position(v[k]), surface_.position(v[(k + 1) % 3]))) /
                        context_.projector.factor;
       const int n = l < SAMPLE_DISTANCE / 3 * length_ ? 0 : (std::min)(6, 1 + int(l / (SAMPLE_DISTANCE * length_)));
       for (int i = 1; i <= n; ++i) {
         const double t = double(i) / (n + 1);
-        b = {0, 0, 0};
+        Barycentric b{0, 0, 0};
         b[k] = 1 - t;
         b[(k + 1) % 3] = t;
-        take(b);
+        function(context_.projector.at(f, b).point);
       }
     }
     if (surface_.least_altitude(f) > SAMPLE_DISTANCE / 3 * length_ * context_.projector.factor)
-      take({1. / 3, 1. / 3, 1. / 3});
+      function(context_.projector.at(f, {1. / 3, 1. / 3, 1. / 3}).point);
   }
   void start_sampling()
   {
@@ -229,11 +241,28 @@ private:
     return result;
   }
 
-  // The worst one first, none near another one.
-  std::vector<Spot> spots()
+  // Whether what is far from its own sheet is near another one, as where the surface crosses itself.
+  bool is_near_elsewhere(const Spot& spot)
   {
-    std::vector<Spot> found;
-    const std::vector<Index> sharp = vertices_at_sharp_edges();
+    const Vector3 p = spot.place.value_or(spot.sample.point);
+    const double enough = tolerance_ * tolerance_;
+    const Vector3 reach{tolerance_, tolerance_, tolerance_};
+    bool result = false;
+    grid().for_each_near(p - reach, p + reach, marks_, [&](Index f) {
+      if (!spot.place) result = squared_distance(closest_point_on_face(mesh_, p, f).point, p) < enough;
+      else for (const Index v : mesh_.face_record(f).vertex) {
+        Index hint = mesh_.hint(v);
+        if (squared_distance(context_.projector(p, hint), p) < enough) result = true;
+      }
+      return !result;
+    });
+    return result;
+  }
+
+  // Points of the surface that are too far from the mesh.
+  void find_far_samples_of_surface(const std::vector<Index>& sharp, std::vector<Spot>& found)
+  {
+    std::vector<float> corner_distance(surface_.number_of_vertices());
     Visit_marks sampled;
     sampled.start(surface_.number_of_faces());
     start_sampling();
@@ -245,25 +274,45 @@ private:
       };
       for_each_surface_face_near(mesh_.position(v), REACH * length_, mesh_.hint(v), [&](Index f) {
         if (!sampled.visit(std::size_t(f))) return;
-        for_each_sample_of(f, [&](const Vector3& p) {
+        const auto sample = [&](const Vector3& p) {
           Sample s{p, f, mesh_.face(mesh_.first(v))};
           Point_on_triangle nearest;
-          if (const double d = distance(s, around, nearest); d > tolerance_) found.push_back({d, s});
-        });
+          const double d = distance(s, around, nearest);
+          if (d > tolerance_) found.push_back({d, s, {}});
+          return d;
+        };
+        for_each_corner_of(f, [&](Index u, const Vector3& p) { corner_distance[u] = float(sample(p)); });
+        const auto& corner = surface_.face_record(f).vertex;
+        if (std::any_of(corner, corner + 3, [&](Index u) { return corner_distance[u] > SUSPICIOUS * tolerance_; }))
+          for_each_inner_sample_of(f, sample);
       });
     }
+  }
+
+  // Points of the mesh that are too far from the surface.
+  void find_far_samples_of_mesh(const std::vector<Index>& sharp, std::vector<Spot>& found)
+  {
     for (const Index f : faces_around(mesh_, sharp))
       for (int k = 0; k < 4; ++k) {
         const Vector3 y = point_on_face(f, PLACES[k]);
         Sample s{Vector3(), -1, f};
         s.point = nearest_on_surface(f, y, s.surface_face);
-        if (const double d = length(s.point - y); d > tolerance_) found.push_back({d, s});
+        if (const double d = length(s.point - y); d > tolerance_) found.push_back({d, s, y});
       }
+  }
+
+  // The worst one first, none near another one.
+  std::vector<Spot> spots()
+  {
+    std::vector<Spot> found;
+    const std::vector<Index> sharp = vertices_at_sharp_edges();
+    find_far_samples_of_surface(sharp, found);
+    find_far_samples_of_mesh(sharp, found);
     std::stable_sort(found.begin(), found.end(), [](const Spot& a, const Spot& b) { return a.distance > b.distance; });
     std::vector<Spot> result;
     Point_grid accepted(SPOT_DISTANCE * length_);
     for (const Spot& spot : found) {
-      if (accepted.has_near(spot.sample.point)) continue;
+      if (accepted.has_near(spot.sample.point) || is_near_elsewhere(spot)) continue;
       accepted.insert(spot.sample.point);
       result.push_back(spot);
       if (result.size() == most_trials_) break;
@@ -435,14 +484,16 @@ private:
     std::vector<std::pair<double, Sample>> samples;
     const double radius = (PATCH_RADIUS + (rings - 1) * RING) * length_;
     for_each_surface_face_near(spot.sample.point, radius, spot.sample.surface_face, [&](Index f) {
-      for_each_sample_of(f, [&](const Vector3& p) {
+      const auto take = [&](const Vector3& p) {
         if (squared_distance(p, spot.sample.point) > radius * radius) return;
         Sample s{p, f, spot.sample.face};
         Point_on_triangle nearest;
         const double d = distance(s, [&]() -> const std::vector<Index>& { return result.faces; }, nearest);
         if (d <= spot.distance && std::binary_search(result.faces.begin(), result.faces.end(), s.face))
           samples.emplace_back(d, s);
-      });
+      };
+      for_each_corner_of(f, [&](Index, const Vector3& p) { take(p); });
+      for_each_inner_sample_of(f, take);
     });
     std::stable_sort(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     samples.resize((std::min)(samples.size(), std::size_t(rings) * MOST_SAMPLES));
@@ -458,7 +509,7 @@ private:
     const Distances before = measure(start);
     if (before.largest < tolerance_) return Outcome::mended;
     if (start.vertices.size() > LARGEST_PATCH) return Outcome::nothing;
-    crossing_test();                     // of the mesh before any trial
+    grid();                              // of the mesh before any trial
     snapshot_.take(mesh_, ball(mesh_, start.vertices, 1, marks_));
     double best_score = (1 - NOTICEABLE) * score(start, before);
     Trial best{Kind::move, -1};
@@ -469,7 +520,7 @@ private:
       if (!apply(trial, spot, patch, false)) continue;
       const Distances after = move_by_least_squares(patch);
       const double s = score(patch, after);
-      const bool is_better = s < best_score && !crossing_test().is_crossed(patch.faces, marks_);
+      const bool is_better = s < best_score && !are_crossed(mesh_, grid(), patch.faces, marks_);
       if (is_better) outcome = after.largest < ACCEPTED * tolerance_ ? Outcome::mended : Outcome::bettered;
       if (outcome == Outcome::mended && (!HAS_VISITOR || trial.kind != Kind::split)) return outcome;
       snapshot_.restore(mesh_);
@@ -486,10 +537,10 @@ private:
   }
 
   // Made when it is needed first.
-  const Crossing_test& crossing_test()
+  const Face_grid& grid()
   {
-    if (!crossing_test_) crossing_test_.emplace(mesh_, LONGEST_EDGE * length_);
-    return *crossing_test_;
+    if (!grid_) grid_.emplace(mesh_, LONGEST_EDGE * length_);
+    return *grid_;
   }
 
   Context& context_;
@@ -499,7 +550,7 @@ private:
   Angle_bands bands_;
   Angle_descent<Context> descent_;
   Mesh_snapshot snapshot_;
-  std::optional<Crossing_test> crossing_test_;
+  std::optional<Face_grid> grid_;
   Visit_marks marks_, vertices_, surface_faces_, surface_vertices_, surface_edges_;
   std::vector<int> slot_;                // by vertex: its number in the patch that is measured
   std::size_t most_trials_, trials_ = 0;

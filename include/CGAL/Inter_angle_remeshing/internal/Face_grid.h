@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_FACE_GRID_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FACE_GRID_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Point_grid.h>
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh_regions.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Finds the faces of the mesh that are near, over any sheet: those of the vertices that are, where these lay at first. Faces with
+// edges that are longer than `longest_edge` may be overlooked; no vertex moves nearly as far later.
+class Face_grid
+{
+public:
+  using Index = Remeshing_mesh::Index;
+
+  Face_grid(const Remeshing_mesh& mesh, double longest_edge)
+    : mesh_(mesh), longest_edge_(longest_edge), vertices_(longest_edge)
+  {
+    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v)
+      if (mesh.is_vertex(v)) vertices_.insert(mesh.position(v), v);
+  }
+
+  // Calls `function(face)` for the faces that may meet the box, and some others, until it returns false.
+  template <class Function>
+  void for_each_near(const Vector3& low, const Vector3& high, Visit_marks& marks, const Function& function) const
+  {
+    const Vector3 margin{longest_edge_, longest_edge_, longest_edge_};
+    bool goes_on = true;
+    marks.start(mesh_.number_of_face_slots());
+    vertices_.for_each_in_box(low - margin, high + margin, [&](Index v) {
+      if (!goes_on || std::size_t(v) >= mesh_.number_of_vertex_slots() || !mesh_.is_vertex(v)) return;
+      mesh_.for_each_around(v, [&](Index h) {
+        const Index f = mesh_.face(h);
+        if (goes_on && marks.visit(std::size_t(f))) goes_on = function(f);
+      });
+    });
+  }
+
+private:
+  const Remeshing_mesh& mesh_;
+  double longest_edge_;
+  Point_grid vertices_;
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_FACE_GRID_H
