@@ -23,7 +23,6 @@
 
 #include <cmath>
 #include <functional>
-#include <type_traits>
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -224,13 +223,11 @@ Remeshing_report isotropic_remeshing(const FaceRange& faces, const Length& lengt
   auto collapse = make_policy(get_parameter(np, tags::do_collapse), internal::default_collapse_policy(recipe.policies));
   auto flip = make_policy(get_parameter(np, tags::do_flip), internal::default_flip_policy(recipe.policies));
   auto projection = internal::or_no_map(get_parameter(np, tags::projection_functor));
-  Default_visitor default_visitor;
   auto given_visitor = get_parameter(np, tags::visitor);
-  auto& visitor = internal::visitor_from(given_visitor, default_visitor);
+  auto visitor = internal::visitor_from(given_visitor);
 
   internal::Remeshing_parameters<decltype(vpm), decltype(ecm), decltype(vcm), decltype(fpm), decltype(split),
-                                 decltype(collapse), decltype(flip), decltype(projection),
-                                 std::remove_reference_t<decltype(visitor)>>
+                                 decltype(collapse), decltype(flip), decltype(projection)>
     parameters{vpm, ecm, vcm, fpm, split, collapse, flip, projection, visitor, recipe,
                internal::Schedule{internal::count_from(choose_parameter(get_parameter(np, tags::number_of_iterations), 10u),
                                                     "number_of_iterations"), 0,

@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -26,7 +25,6 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-template <class Context>
 class Angle_descent
 {
   using Index = Remeshing_mesh::Index;
@@ -41,7 +39,7 @@ class Angle_descent
   static constexpr double ENOUGH = 0.99;
 
 public:
-  Angle_descent(Context& context, double length)
+  Angle_descent(Remeshing_context& context, double length)
     : context_(context), mesh_(context.mesh), length_(length), bands_(context.recipe, LOWER_MARGIN, UPPER_MARGIN)
   {}
 
@@ -129,7 +127,7 @@ private:
   // What a fit has put v off the surface, along the normal of its star.
   Vector3 offset_of(Index v, const Vector3& normal, double squared_length_of_normal) const
   {
-    if (!std::decay_t<decltype(context_.projector)>::HAS_FACES || context_.recipe.fits == 0) return {};
+    if (!context_.projector.has_faces() || context_.recipe.fits == 0) return {};
     Index hint = mesh_.hint(v);
     const Vector3 d = mesh_.position(v) - context_.projector(mesh_.position(v), hint);
     return (dot(d, normal) / squared_length_of_normal) * normal;
@@ -177,7 +175,7 @@ private:
     });
   }
 
-  Context& context_;
+  Remeshing_context& context_;
   Remeshing_mesh& mesh_;
   double length_;
   Angle_bands bands_;                    // narrower than those asked for

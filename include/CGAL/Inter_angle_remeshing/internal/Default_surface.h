@@ -63,9 +63,9 @@ struct Default_surface
   }
   Default_surface(const Default_surface&) = delete;     // `smooth` refers to `facets`
   Default_surface& operator=(const Default_surface&) = delete;
-  Surface_projection projection() const
+  Projection projection() const
   {
-    return {facets, 1, smooth ? &*smooth : nullptr, FACET_RATIO * target_length, SMOOTH_RATIO * target_length, nullptr, &face_of_source};
+    return {&facets, 1, smooth ? &*smooth : nullptr, FACET_RATIO * target_length, SMOOTH_RATIO * target_length, nullptr, &face_of_source};
   }
 
   // Bends the curves of the mesh into those of the surface, where the mesh as a whole is refined by so much: a border is
@@ -73,7 +73,7 @@ struct Default_surface
   void bend(Input_curves& curves, double mean_length, const Remeshing_mesh& mesh, const Input_kind& kind) const
   {
     if (!smooth || mean_length < SMOOTH_RATIO * target_length) return;
-    const Surface_projection blend = projection();
+    const Projection blend = projection();
     curves.bend([&](Remeshing_mesh::Index h) {
       const Remeshing_mesh::Index o = facets.opposite(h);
       double share = blend.share_of_mls(smooth->mean_edge_length(h >> 2));

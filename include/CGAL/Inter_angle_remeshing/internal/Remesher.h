@@ -32,7 +32,6 @@
 #include <iostream>
 #include <limits>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -49,13 +48,13 @@ struct Schedule
 };
 
 // The iteration: the passes in order.
-template <class ConcurrencyTag, class Context>
+template <class ConcurrencyTag>
 class Remesher
 {
   using Index = Remeshing_mesh::Index;
 
 public:
-  Remesher(Context& context, const Schedule& schedule)
+  Remesher(Remeshing_context& context, const Schedule& schedule)
     : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule),
       relaxation_(context.recipe, context.curves),
       last_iteration_(schedule.iterations), wanted_faces_(schedule.wanted_faces)
@@ -224,7 +223,7 @@ private:
   // How often the longest edge must be halved until it is no longer far too long.
   int halvings_to_do() const
   {
-    if (!(context_.target_length > 0) || is_never(context_.split_policy)) return 0;
+    if (!(context_.target_length > 0) || context_.split_rule.is_never()) return 0;
     const double ratio = std::sqrt(squared_longest_edge(mesh_) / context_.squared_length_limit());
     return ratio > 2 ? 1 + int(std::log2(ratio)) : 0;
   }
@@ -234,8 +233,8 @@ private:
   {
     if (!goes_on() || !(context_.target_length > 0)) return 0;
     constexpr double inf = std::numeric_limits<double>::infinity();
-    const double low = is_never(context_.collapse_policy) ? 0 : context_.squared_shortness_limit() / (widening * widening);
-    const double high = is_never(context_.split_policy) ? inf : context_.squared_length_limit() * (widening * widening);
+    const double low = context_.collapse_rule.is_never() ? 0 : context_.squared_shortness_limit() / (widening * widening);
+    const double high = context_.split_rule.is_never() ? inf : context_.squared_length_limit() * (widening * widening);
     std::vector<Remeshing_mesh::Index> long_edges, short_edges;
     std::size_t splits = 0;
     if (context_.grading_rate > 0) context_.grading.measure(mesh_, context_.target_length, context_.grading_rate);
@@ -258,7 +257,7 @@ private:
       }
       return splits = split_pass<ConcurrencyTag>(context_, long_edges, short_edges);
     });
-    if (goes_on() && !is_never(context_.collapse_policy))
+    if (goes_on() && !context_.collapse_rule.is_never())
       run_pass(Pass::collapse, report_.collapses, [&]() { return collapse_pass<ConcurrencyTag>(context_, short_edges); });
     if (wanted_faces_ > 0 && is_late()) meet_face_count();
     return splits;
@@ -267,9 +266,9 @@ private:
   void meet_face_count()
   {
     const std::size_t faces = mesh_.number_of_live_faces();
-    if (goes_on() && faces > wanted_faces_ && !is_never(context_.collapse_policy))
+    if (goes_on() && faces > wanted_faces_ && !context_.collapse_rule.is_never())
       run_pass(Pass::collapse, report_.collapses, [&]() { return collapse_surplus(context_, wanted_faces_); });
-    if (goes_on() && faces < wanted_faces_ && !is_never(context_.split_policy))
+    if (goes_on() && faces < wanted_faces_ && !context_.split_rule.is_never())
       run_pass(Pass::split, report_.splits, [&]() {
         return split_for_deficit<ConcurrencyTag>(context_, wanted_faces_); });
   }
@@ -277,7 +276,7 @@ private:
   // Flips, and glides perhaps, by turns.
   void flip(unsigned rounds, bool does_glide)
   {
-    if (is_never(context_.flip_policy)) return;
+    if (context_.flip_rule.is_never()) return;
     measure_sectors<ConcurrencyTag>(mesh_);
     for (unsigned round = 0; round < rounds && goes_on(); ++round) {
       run_pass(Pass::flip, report_.flips, [&]() { return flip_pass<ConcurrencyTag>(context_); });
@@ -309,7 +308,7 @@ private:
   template <class Function>
   void for_each_vertex_of_a_visitor(const Function& function) const
   {
-    if constexpr (!std::is_same<std::decay_t<decltype(context_.visitor)>, Default_visitor>::value)
+    if (context_.visitor.listens())
       for (const Mesh_vertex v : vertices(mesh_))
         if (mesh_.is_free(v.index()) || mesh_.is_sliding(v.index())) function(v);
   }
@@ -321,7 +320,7 @@ private:
     if (goes_on() && stages_ > 0) mend_spots();
     if (goes_on()) fit();
     if (goes_on()) polish();
-    Repairer<Context> repairer(context_, context_.target_length);
+    Repairer repairer(context_, context_.target_length);
     repair(repairer);
     if (goes_on() && lower_distances() > 0) repair(repairer);
   }
@@ -330,25 +329,22 @@ private:
   {
     std::size_t moves = 0;
     is_fitted_ = true;
-    if constexpr (std::decay_t<decltype(context_.projector)>::HAS_FACES)
-      if (recipe_.fits > 0 && recipe_.sweeps > 0)
-        run_pass(Pass::fit, moves, [&]() {
-          return fit_pass<ConcurrencyTag>(context_, context_.target_length, recipe_.fits); });
+    if (context_.projector.has_faces() && recipe_.fits > 0 && recipe_.sweeps > 0)
+      run_pass(Pass::fit, moves, [&]() { return fit_pass<ConcurrencyTag>(context_, context_.target_length, recipe_.fits); });
   }
 
   std::size_t lower_distances()
   {
     std::size_t spots = 0;
-    if constexpr (std::decay_t<decltype(context_.projector)>::HAS_FACES)
-      if (recipe_.distance_tolerance > 0 && recipe_.sweeps > 0 && context_.target_length > 0 &&
-          context_.projector.is_input() && !is_finer_than_surface(context_, context_.target_length))
-        run_pass(Pass::distance, spots, [&]() { return distance_pass(context_, context_.target_length); });
+    if (context_.projector.is_input() && recipe_.distance_tolerance > 0 && recipe_.sweeps > 0 && context_.target_length > 0 &&
+        !is_finer_than_surface(context_, context_.target_length))
+      run_pass(Pass::distance, spots, [&]() { return distance_pass(context_, context_.target_length); });
     return spots;
   }
 
   void mend_valences()
   {
-    if (context_.target_length > 0 && !is_never(context_.collapse_policy))
+    if (context_.target_length > 0 && !context_.collapse_rule.is_never())
       run_pass(Pass::clean_up, report_.collapses, [&]() { return clean_up_pass<ConcurrencyTag>(context_); });
     if (goes_on()) flip(1, false);
     if (goes_on() && recipe_.sweeps > 0) relax(CLEAN_UP_SWEEPS, Pull_back::after_last_sweep);
@@ -357,7 +353,7 @@ private:
   void mend_spots()
   {
     std::size_t vertices = 0;
-    Spot_iteration<ConcurrencyTag, Context> spots(context_, relaxation_);
+    Spot_iteration<ConcurrencyTag> spots(context_, relaxation_);
     run_pass(Pass::mend, vertices, [&]() { return spots.run(curve_tolerance(), report_); });
     has_poor_spots_ = !spots.is_done();
   }
@@ -369,7 +365,7 @@ private:
       run_pass(Pass::polish, moves, [&]() { return polish_pass(context_, context_.target_length); });
   }
 
-  void repair(Repairer<Context>& repairer)
+  void repair(Repairer& repairer)
   {
     if (goes_on() && recipe_.repair && recipe_.sweeps > 0 && context_.target_length > 0)
       run_pass(Pass::repair, report_.repairs, [&]() { return repairer.run(); });
@@ -422,7 +418,7 @@ private:
   void steer_to_face_count(double first_target_length);
   void print_state(const std::string& name) const;
 
-  Context& context_;
+  Remeshing_context& context_;
   Remeshing_mesh& mesh_;
   const Recipe& recipe_;
   const Schedule& schedule_;
@@ -443,8 +439,8 @@ private:
 
 // The number of faces falls from iteration to iteration as the mesh grows regular; measured, it lies above its final
 // value by the factors in the table. What differs from that, half of it on a logarithmic scale, corrects the length.
-template <class ConcurrencyTag, class Context>
-void Remesher<ConcurrencyTag, Context>::steer_to_face_count(double first_target_length)
+template <class ConcurrencyTag>
+void Remesher<ConcurrencyTag>::steer_to_face_count(double first_target_length)
 {
   static constexpr double EXCESS[] = {1.15, 1.075, 1.045, 1.03, 1.018, 1.012, 1.007};
   static constexpr std::size_t SIZE = sizeof(EXCESS) / sizeof(EXCESS[0]);
@@ -468,8 +464,8 @@ void Remesher<ConcurrencyTag, Context>::steer_to_face_count(double first_target_
   context_.target_length = (std::max)(0.88 * first_target_length, (std::min)(1.15 * first_target_length, corrected));
 }
 
-template <class ConcurrencyTag, class Context>
-void Remesher<ConcurrencyTag, Context>::print_state(const std::string& name) const
+template <class ConcurrencyTag>
+void Remesher<ConcurrencyTag>::print_state(const std::string& name) const
 {
   const Remeshing_report::Angles angles = angle_summary<ConcurrencyTag>(mesh_);
   std::cout << name << ": " << mesh_.number_of_live_faces() << " faces, angles "

@@ -5,62 +5,33 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESHING_CONTEXT_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESHING_CONTEXT_H
 
-#include <CGAL/Inter_angle_remeshing/Default_visitor.h>
-#include <CGAL/Inter_angle_remeshing/Edge_profile.h>
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
+#include <CGAL/Inter_angle_remeshing/internal/Edge_rule.h>
 #include <CGAL/Inter_angle_remeshing/internal/Input_curves.h>
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/Run_visitor.h>
 #include <CGAL/Inter_angle_remeshing/internal/grading.h>
-#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh_graph.h>
-
-#include <CGAL/tags.h>
-
-#include <type_traits>
-#include <vector>
+#include <CGAL/Inter_angle_remeshing/internal/projection.h>
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// The profile that policies are asked with during a run.
-template <class InputVertex>
-using Run_profile = Edge_profile<Remeshing_mesh, Mesh_point_map, Mesh_edge_is_constrained_map,
-                                 Mesh_input_vertex_map<InputVertex>>;
-
-// A bool in place of a policy.
-struct Constant_policy
-{
-  bool value = true;
-
-  template <class Profile>
-  bool operator()(const Profile&) const { return value; }
-};
-
-template <class Policy>
-bool is_never(const Policy&) { return false; }
-inline bool is_never(const Constant_policy& policy) { return !policy.value; }
-
 // Smallest cosine between normals before and after an operation that is not taken for a fold: 26 degrees.
 constexpr double LITTLE_TURN_COSINE = 0.9;
 
-// What every pass works with: the mesh, the target length, and the user's functors.
-template <class InputVertex, class SplitPolicy, class CollapsePolicy, class FlipPolicy, class Projector, class Visitor>
+// What every pass works with: the mesh, the target length, and what the user handed over. It has one type, whatever the types of
+// these are, so that the passes are compiled once.
 struct Remeshing_context
 {
   using Index = Remeshing_mesh::Index;
-  // Passes that call the projector run sequentially where it can be called by one thread only.
-  template <class ConcurrencyTag>
-  using Projection_tag = std::conditional_t<Projector::IS_CONCURRENT, ConcurrencyTag, CGAL::Sequential_tag>;
 
   Remeshing_mesh& mesh;
   const Recipe& recipe;
   const Input_curves& curves;
-  const std::vector<InputVertex>& input_vertices;
-  InputVertex null_vertex;
-  const SplitPolicy& split_policy;
-  const CollapsePolicy& collapse_policy;
-  const FlipPolicy& flip_policy;
-  const Projector& projector;
-  Visitor& visitor;
+  const Edge_rule split_rule, collapse_rule, flip_rule;
+  const Projection& projector;
+  Run_visitor& visitor;
   bool may_collapse_constraints;
   double target_length;                // in the units of the flat mesh; 0: nothing is split or collapsed
 
@@ -91,22 +62,16 @@ struct Remeshing_context
     return is_opposite_at(a) || is_opposite_at(b) || is_opposite_at(c);
   }
 
-  bool permits_split(Index h) const { return permits(split_policy, h, false); }
-  bool permits_collapse(Index h) const { return permits(collapse_policy, h, false); }
-  bool permits_flip(Index h, bool is_transient) const { return permits(flip_policy, h, is_transient); }
+  bool permits_split(Index h) const { return permits(split_rule, h, false); }
+  bool permits_collapse(Index h) const { return permits(collapse_rule, h, false); }
+  bool permits_flip(Index h, bool is_transient) const { return permits(flip_rule, h, is_transient); }
 
 private:
   static double squared(double x) { return x * x; }
 
-  bool permits(const Constant_policy& policy, Index, bool) const { return policy.value; }
-
-  template <class Policy>
-  bool permits(const Policy& policy, Index h, bool is_transient) const
+  bool permits(const Edge_rule& rule, Index h, bool is_transient) const
   {
-    return policy(Run_profile<InputVertex>(Mesh_halfedge(h), mesh, Mesh_point_map{&mesh}, mesh.unit() * target_length,
-                                           is_transient, Mesh_edge_is_constrained_map{&mesh},
-                                           Mesh_input_vertex_map<InputVertex>{&mesh, &input_vertices, null_vertex},
-                                           1 / mesh.unit()));
+    return rule(mesh, mesh.unit() * target_length, h, is_transient);
   }
 };
 

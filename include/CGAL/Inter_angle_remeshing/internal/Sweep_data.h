@@ -85,12 +85,12 @@ public:
   const Index* ring(std::size_t i) const { return rings_.data() + ring_start_[i]; }
   int valence(std::size_t i) const { return int(ring_start_[i + 1] - ring_start_[i]); }
 
-  // Calls `function(begin, end)` for every block, colour by colour.
+  // Calls `function(begin, end)` for every block, colour by colour; one after the other where it is not concurrent.
   template <class ConcurrencyTag, class Function>
-  void for_each_coloured_block(const Function& function) const
+  void for_each_coloured_block(bool is_concurrent, const Function& function) const
   {
     for (const std::vector<Index>& colour : colours_)
-      for_each_block<ConcurrencyTag>(colour.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+      for_each_block_if<ConcurrencyTag>(is_concurrent, colour.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
         const std::size_t begin = std::size_t(colour[i]) << block_shift_;
         function(begin, (std::min)(size(), begin + (std::size_t(1) << block_shift_)));
       });

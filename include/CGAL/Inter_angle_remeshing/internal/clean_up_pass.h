@@ -38,8 +38,8 @@ inline int collapse_gain(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 }
 
 // Returns the number of collapses.
-template <class ConcurrencyTag, class Context>
-std::size_t clean_up_pass(Context& context)
+template <class ConcurrencyTag>
+std::size_t clean_up_pass(Remeshing_context& context)
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;

@@ -39,8 +39,7 @@ constexpr double COLLAPSE_NORMAL_COSINE = 0.5;
 
 // Whether the source of h can leave the curve that it lies on: its two edges there become one, which must neither be too long
 // nor leave the curve. The edge beyond it belongs to the same curve, as no vertex between two is without a lock.
-template <class Context>
-bool keeps_curve(const Context& context, Remeshing_mesh::Index h)
+inline bool keeps_curve(const Remeshing_context& context, Remeshing_mesh::Index h)
 {
   using Index = Remeshing_mesh::Index;
   const Remeshing_mesh& mesh = context.mesh;
@@ -162,8 +161,7 @@ inline bool turns_little(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 
 // Whether one of the faces that replace the star of h's source turns its back on the surface, where none of the star
 // did. Where no face turns far, the surface need not be asked.
-template <class Context>
-bool makes_fold(const Context& context, Remeshing_mesh::Index h)
+inline bool makes_fold(const Remeshing_context& context, Remeshing_mesh::Index h)
 {
   const Remeshing_mesh& mesh = context.mesh;
   const Remeshing_mesh::Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
@@ -178,8 +176,7 @@ bool makes_fold(const Context& context, Remeshing_mesh::Index h)
 }
 
 // Whether the source of h may be merged into its target.
-template <class Context>
-bool is_collapse_allowed(const Context& context, Remeshing_mesh::Index h, const Collapse_limits& limits)
+inline bool is_collapse_allowed(const Remeshing_context& context, Remeshing_mesh::Index h, const Collapse_limits& limits)
 {
   const Remeshing_mesh& mesh = context.mesh;
   if (mesh.is_on_curve(mesh.source(h)) && !(context.may_collapse_constraints && keeps_curve(context, h))) return false;
@@ -190,8 +187,7 @@ bool is_collapse_allowed(const Context& context, Remeshing_mesh::Index h, const 
 // The half-edge whose source is to be merged into its target, for the edge of h; NO_COLLAPSE where neither may be.
 constexpr Remeshing_mesh::Index NO_COLLAPSE = (std::numeric_limits<Remeshing_mesh::Index>::min)();
 
-template <class Context>
-Remeshing_mesh::Index choose_collapse(const Context& context, Remeshing_mesh::Index h, const Collapse_limits& limits)
+inline Remeshing_mesh::Index choose_collapse(const Remeshing_context& context, Remeshing_mesh::Index h, const Collapse_limits& limits)
 {
   using Index = Remeshing_mesh::Index;
   const Remeshing_mesh& mesh = context.mesh;
@@ -205,8 +201,7 @@ Remeshing_mesh::Index choose_collapse(const Context& context, Remeshing_mesh::In
 }
 
 // Merges the source of h into its target, which is returned.
-template <class Context>
-Remeshing_mesh::Index collapse(Context& context, Remeshing_mesh::Index h)
+inline Remeshing_mesh::Index collapse(Remeshing_context& context, Remeshing_mesh::Index h)
 {
   const Remeshing_mesh::Index kept = context.mesh.source(context.mesh.opposite(h));
   context.visitor.before_collapse(Mesh_halfedge(h), context.mesh);
@@ -217,8 +212,8 @@ Remeshing_mesh::Index collapse(Context& context, Remeshing_mesh::Index h)
 
 // Collapses the edges of `short_edges` as far as they are still too short, and those that become so.
 // Returns the number of collapses.
-template <class ConcurrencyTag, class Context>
-std::size_t collapse_pass(Context& context, std::vector<Remeshing_mesh::Index>& short_edges)
+template <class ConcurrencyTag>
+std::size_t collapse_pass(Remeshing_context& context, std::vector<Remeshing_mesh::Index>& short_edges)
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;

@@ -29,8 +29,7 @@ constexpr double SHORTEST_BENT_EDGE = 0.6;
 constexpr double STRIP_ASPECT = 2, SHORTEST_IN_STRIP = 0.3, THINNEST_STRIP = 0.05;
 
 // The target length of a curve edge.
-template <class Context>
-double target_on_curve(const Context& context, Remeshing_mesh::Index h)
+inline double target_on_curve(const Remeshing_context& context, Remeshing_mesh::Index h)
 {
   const Remeshing_mesh& mesh = context.mesh;
   double target = context.target_length;
@@ -48,8 +47,7 @@ double target_on_curve(const Context& context, Remeshing_mesh::Index h)
 }
 
 // How far the curve is from the edge of h.
-template <class Context>
-double deviation_from_curve(const Context& context, Remeshing_mesh::Index h)
+inline double deviation_from_curve(const Remeshing_context& context, Remeshing_mesh::Index h)
 {
   const Remeshing_mesh& mesh = context.mesh;
   const Remeshing_mesh::Curve_place place = mesh.curve_place(h);
@@ -57,31 +55,28 @@ double deviation_from_curve(const Context& context, Remeshing_mesh::Index h)
                                   mesh.position(mesh.target(h)));
 }
 
-template <class Context>
-bool is_too_long_on_curve(const Context& context, Remeshing_mesh::Index h)
+inline bool is_too_long_on_curve(const Remeshing_context& context, Remeshing_mesh::Index h)
 {
   const double length = std::sqrt(context.mesh.squared_edge_length(h)), target = context.target_length;
   return length > context.recipe.split_ratio * target_on_curve(context, h) ||
          (length > SHORTEST_BENT_EDGE * target && deviation_from_curve(context, h) > CURVE_TOLERANCE * target);
 }
 
-template <class Context>
-bool is_too_short_on_curve(const Context& context, Remeshing_mesh::Index h)
+inline bool is_too_short_on_curve(const Remeshing_context& context, Remeshing_mesh::Index h)
 {
   return std::sqrt(context.mesh.squared_edge_length(h)) < context.recipe.collapse_ratio * target_on_curve(context, h);
 }
 
 // The point of the curve in the middle of the arc that the edge of h stands for.
-template <class Context>
-Vector3 middle_on_curve(const Context& context, Remeshing_mesh::Index h)
+inline Vector3 middle_on_curve(const Remeshing_context& context, Remeshing_mesh::Index h)
 {
   const Remeshing_mesh::Curve_place place = context.mesh.curve_place(h);
   return context.curves.point(place.curve, 0.5 * (place.origin + place.target));
 }
 
 // One half-edge of each edge on a curve for which `is_wanted(h)` holds.
-template <class ConcurrencyTag, class Context, class Predicate>
-std::vector<Remeshing_mesh::Index> curve_edges_where(const Context& context, const Predicate& is_wanted)
+template <class ConcurrencyTag, class Predicate>
+std::vector<Remeshing_mesh::Index> curve_edges_where(const Remeshing_context& context, const Predicate& is_wanted)
 {
   using Index = Remeshing_mesh::Index;
   const Remeshing_mesh& mesh = context.mesh;
@@ -96,15 +91,15 @@ std::vector<Remeshing_mesh::Index> curve_edges_where(const Context& context, con
   return found;
 }
 
-template <class ConcurrencyTag, class Context>
-std::vector<Remeshing_mesh::Index> long_curve_edges(const Context& context)
+template <class ConcurrencyTag>
+std::vector<Remeshing_mesh::Index> long_curve_edges(const Remeshing_context& context)
 {
   return curve_edges_where<ConcurrencyTag>(context, [&](Remeshing_mesh::Index h) { return is_too_long_on_curve(context, h); });
 }
 
 // Whether the chord of an edge lies further from its curve than it may, be it short or long.
-template <class ConcurrencyTag, class Context>
-bool leaves_curves(const Context& context)
+template <class ConcurrencyTag>
+bool leaves_curves(const Remeshing_context& context)
 {
   return !curve_edges_where<ConcurrencyTag>(context, [&](Remeshing_mesh::Index h) {
     return deviation_from_curve(context, h) > CURVE_TOLERANCE * context.target_length; }).empty();

@@ -25,7 +25,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -38,7 +37,6 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-template <class Context>
 class Distance_reducer
 {
   using Index = Remeshing_mesh::Index;
@@ -75,9 +73,6 @@ class Distance_reducer
   // Of the samples of a patch so many count, the farthest ones.
   static constexpr std::size_t MOST_SAMPLES = 120;
 
-  static constexpr bool HAS_VISITOR =
-    !std::is_same<std::decay_t<decltype(std::declval<Context>().visitor)>, Default_visitor>::value;
-
   struct Sample
   {
     Vector3 point;
@@ -98,8 +93,8 @@ class Distance_reducer
   };
 
 public:
-  Distance_reducer(Context& context, double length)
-    : context_(context), mesh_(context.mesh), surface_(context.projector.surface), length_(length),
+  Distance_reducer(Remeshing_context& context, double length)
+    : context_(context), mesh_(context.mesh), surface_(*context.projector.surface), length_(length),
       tolerance_(context.recipe.distance_tolerance * length), bands_(context.recipe), descent_(context, length),
       most_trials_(LEAST_TRIALS + mesh_.number_of_live_faces() / FACES_PER_TRIAL)
   {}
@@ -522,7 +517,7 @@ private:
       const double s = score(patch, after);
       const bool is_better = s < best_score && !are_crossed(mesh_, grid(), patch.faces, marks_);
       if (is_better) outcome = after.largest < ACCEPTED * tolerance_ ? Outcome::mended : Outcome::bettered;
-      if (outcome == Outcome::mended && (!HAS_VISITOR || trial.kind != Kind::split)) return outcome;
+      if (outcome == Outcome::mended && (!context_.visitor.listens() || trial.kind != Kind::split)) return outcome;
       snapshot_.restore(mesh_);
       if (!is_better) continue;
       best = trial;
@@ -543,12 +538,12 @@ private:
     return *grid_;
   }
 
-  Context& context_;
+  Remeshing_context& context_;
   Remeshing_mesh& mesh_;
   const Reference_surface& surface_;
   double length_, tolerance_;
   Angle_bands bands_;
-  Angle_descent<Context> descent_;
+  Angle_descent descent_;
   Mesh_snapshot snapshot_;
   std::optional<Face_grid> grid_;
   Visit_marks marks_, vertices_, surface_faces_, surface_vertices_, surface_edges_;
@@ -557,10 +552,9 @@ private:
 };
 
 // Returns the number of spots where something was changed.
-template <class Context>
-std::size_t distance_pass(Context& context, double length)
+inline std::size_t distance_pass(Remeshing_context& context, double length)
 {
-  return Distance_reducer<Context>(context, length).run();
+  return Distance_reducer(context, length).run();
 }
 
 } // namespace internal

@@ -29,8 +29,7 @@ constexpr double MOST_CORRECTED = 0.1;
 constexpr int LOW_MERGED_VALENCE = 7, HIGH_MERGED_VALENCE = 8;
 
 // The edges that are not on curves, by their length over what their target length is, the shortest one first.
-template <class Context>
-std::vector<std::pair<double, Remeshing_mesh::Index>> edges_by_length(const Context& context)
+inline std::vector<std::pair<double, Remeshing_mesh::Index>> edges_by_length(const Remeshing_context& context)
 {
   using Index = Remeshing_mesh::Index;
   const Remeshing_mesh& mesh = context.mesh;
@@ -43,8 +42,7 @@ std::vector<std::pair<double, Remeshing_mesh::Index>> edges_by_length(const Cont
 }
 
 // Returns the number of collapses.
-template <class Context>
-std::size_t collapse_surplus(Context& context, std::size_t wanted_faces)
+inline std::size_t collapse_surplus(Remeshing_context& context, std::size_t wanted_faces)
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
@@ -70,8 +68,8 @@ std::size_t collapse_surplus(Context& context, std::size_t wanted_faces)
 }
 
 // Returns the number of splits.
-template <class ConcurrencyTag, class Context>
-std::size_t split_for_deficit(Context& context, std::size_t wanted_faces)
+template <class ConcurrencyTag>
+std::size_t split_for_deficit(Remeshing_context& context, std::size_t wanted_faces)
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
@@ -90,7 +88,7 @@ std::size_t split_for_deficit(Context& context, std::size_t wanted_faces)
       if (std::size_t(mesh.face(k)) < is_cut.size()) is_cut[mesh.face(k)] = 1;
     });
   }
-  project_split_vertices<typename Context::template Projection_tag<ConcurrencyTag>>(context, made);
+  project_split_vertices<ConcurrencyTag>(context, made);
   return made.size();
 }
 

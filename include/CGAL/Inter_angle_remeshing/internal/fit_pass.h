@@ -110,23 +110,21 @@ private:
 };
 
 // Whether the target length is so much less than the mean altitude of the surface's faces that chords are too short to matter.
-template <class Context>
-bool is_finer_than_surface(const Context& context, double length)
+inline bool is_finer_than_surface(const Remeshing_context& context, double length)
 {
   using Index = Remeshing_mesh::Index;
   constexpr double FINE = 0.5;
-  const Reference_surface& surface = context.projector.surface;
+  const Reference_surface& surface = *context.projector.surface;
   double sum = 0;
   for (Index f = 0; f < Index(surface.number_of_faces()); ++f) sum += surface.least_altitude(f);
   return length < FINE * sum / (double(surface.number_of_faces()) * context.projector.factor);
 }
 
-template <class ConcurrencyTag, class Context>
+template <class ConcurrencyTag>
 class Surface_fit
 {
   using Index = Remeshing_mesh::Index;
   using Barycentric = std::array<double, 3>;
-  using Projector = std::decay_t<decltype(std::declval<Context>().projector)>;
 
   static constexpr double TANGENTIAL = 0.5, NORMAL = 0.01;
   static constexpr int STEPS = 3;
@@ -141,7 +139,7 @@ class Surface_fit
   static constexpr std::size_t BLOCK = 1024, BLOCKS_AT_ONCE = 64;
 
 public:
-  Surface_fit(Context& context, double length)
+  Surface_fit(Remeshing_context& context, double length)
     : context_(context), mesh_(context.mesh), length_(length), 
       band_(Angle_bands(context.recipe, LOWER_MARGIN, UPPER_MARGIN).inside)
   {}
@@ -150,7 +148,7 @@ public:
   std::size_t run(unsigned passes)
   {
     if (is_finer_than_surface(context_, length_)) return 0;
-    data_.template read<ConcurrencyTag>(mesh_);
+    data_.read<ConcurrencyTag>(mesh_);
     equations_.assign(mesh_.number_of_face_slots(), Face_equations());
     nearest_faces_.assign(3 * mesh_.number_of_face_slots(), -1);
     sample_result();
@@ -212,7 +210,7 @@ private:
   bool is_in_band(std::size_t i, const Vector3& q) const;
   double energy(std::size_t i, const Vector3& p) const;
 
-  Context& context_;
+  Remeshing_context& context_;
   Remeshing_mesh& mesh_;
   double length_;
   Angle_band band_;                            // what lies out of it, displacements make no worse
@@ -226,8 +224,8 @@ private:
   std::vector<Vector3> residual_, preconditioned_, direction_; // of the conjugate gradients
 };
 
-template <class ConcurrencyTag, class Context>
-void Surface_fit<ConcurrencyTag, Context>::sample_result()
+template <class ConcurrencyTag>
+void Surface_fit<ConcurrencyTag>::sample_result()
 {
   for_each_block<ConcurrencyTag>(mesh_.number_of_face_slots(), BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (Index f = Index(begin); f < Index(end); ++f) {
@@ -249,10 +247,10 @@ void Surface_fit<ConcurrencyTag, Context>::sample_result()
 
 // For each face of the surface a face of the mesh near by: one of those whose samples it is nearest to, or what a face beside it
 // in its patch has. Negative where no sample is.
-template <class ConcurrencyTag, class Context>
-std::vector<Remeshing_mesh::Index> Surface_fit<ConcurrencyTag, Context>::faces_near_surface_faces() const
+template <class ConcurrencyTag>
+std::vector<Remeshing_mesh::Index> Surface_fit<ConcurrencyTag>::faces_near_surface_faces() const
 {
-  const Reference_surface& surface = context_.projector.surface;
+  const Reference_surface& surface = *context_.projector.surface;
   std::vector<Index> result(surface.number_of_faces(), -1), queue;
   const auto seed = [&](Index f, Index g) {
     if (result[f] >= 0) return;
@@ -267,8 +265,8 @@ std::vector<Remeshing_mesh::Index> Surface_fit<ConcurrencyTag, Context>::faces_n
   return result;
 }
 
-template <class ConcurrencyTag, class Context>
-void Surface_fit<ConcurrencyTag, Context>::sample_surface()
+template <class ConcurrencyTag>
+void Surface_fit<ConcurrencyTag>::sample_surface()
 {
   struct Sample
   {
@@ -277,8 +275,8 @@ void Surface_fit<ConcurrencyTag, Context>::sample_surface()
     Vector3 normal;
     double weight, r;
   };
-  const Projector& projector = context_.projector;
-  const Reference_surface& surface = projector.surface;
+  const Projection& projector = context_.projector;
+  const Reference_surface& surface = *projector.surface;
   const std::size_t n = surface.number_of_faces() > MANY_FACES * mesh_.number_of_live_faces() ? 1 : 3;
   const std::vector<Index> first_face = faces_near_surface_faces();
   const double unit = projector.factor;
@@ -317,8 +315,8 @@ void Surface_fit<ConcurrencyTag, Context>::sample_surface()
 }
 
 // The vertices have moved: that much less is left for the samples to travel. They are not looked for anew.
-template <class ConcurrencyTag, class Context>
-void Surface_fit<ConcurrencyTag, Context>::update_equations()
+template <class ConcurrencyTag>
+void Surface_fit<ConcurrencyTag>::update_equations()
 {
   for_each_block<ConcurrencyTag>(mesh_.number_of_face_slots(), BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (Index f = Index(begin); f < Index(end); ++f)
@@ -328,8 +326,8 @@ void Surface_fit<ConcurrencyTag, Context>::update_equations()
 }
 
 // The equations of vertex i, from its faces' ones; returns its part of the first residual's square.
-template <class ConcurrencyTag, class Context>
-double Surface_fit<ConcurrencyTag, Context>::set_up(std::size_t i)
+template <class ConcurrencyTag>
+double Surface_fit<ConcurrencyTag>::set_up(std::size_t i)
 {
   const Index v = data_.order[i];
   Vector3 normal, centre;
@@ -356,8 +354,8 @@ double Surface_fit<ConcurrencyTag, Context>::set_up(std::size_t i)
 }
 
 // Conjugate gradients with the vertices' own blocks as preconditioner. Vertices that do not move have no displacement.
-template <class ConcurrencyTag, class Context>
-void Surface_fit<ConcurrencyTag, Context>::solve()
+template <class ConcurrencyTag>
+void Surface_fit<ConcurrencyTag>::solve()
 {
   const std::size_t n = data_.size();
   for (std::vector<Symmetric_matrix>* m : {&regular_, &inverse_}) m->resize(n);
@@ -405,8 +403,8 @@ void Surface_fit<ConcurrencyTag, Context>::solve()
 }
 
 // Whether no face around vertex i turns by more than 26 degrees when it moves from p to q.
-template <class ConcurrencyTag, class Context>
-bool Surface_fit<ConcurrencyTag, Context>::keeps_orientation(std::size_t i, const Vector3& p, const Vector3& q) const
+template <class ConcurrencyTag>
+bool Surface_fit<ConcurrencyTag>::keeps_orientation(std::size_t i, const Vector3& p, const Vector3& q) const
 {
   return data_.all_of_link(i, [&](Index u, Index w) {
     const Vector3 &a = data_.position[u], &b = data_.position[w];
@@ -414,15 +412,15 @@ bool Surface_fit<ConcurrencyTag, Context>::keeps_orientation(std::size_t i, cons
   });
 }
 
-template <class ConcurrencyTag, class Context>
-bool Surface_fit<ConcurrencyTag, Context>::is_in_band(std::size_t i, const Vector3& q) const
+template <class ConcurrencyTag>
+bool Surface_fit<ConcurrencyTag>::is_in_band(std::size_t i, const Vector3& q) const
 {
   return data_.all_of_link(i, [&](Index u, Index w) { return band_.holds(q, data_.position[u], data_.position[w]); });
 }
 
 // The energy of the angles around vertex i if it lies at p.
-template <class ConcurrencyTag, class Context>
-double Surface_fit<ConcurrencyTag, Context>::energy(std::size_t i, const Vector3& p) const
+template <class ConcurrencyTag>
+double Surface_fit<ConcurrencyTag>::energy(std::size_t i, const Vector3& p) const
 {
   double sum = 0;
   data_.all_of_link(i, [&](Index u, Index w) {
@@ -433,10 +431,10 @@ double Surface_fit<ConcurrencyTag, Context>::energy(std::size_t i, const Vector3
   return sum;
 }
 
-template <class ConcurrencyTag, class Context>
-std::size_t Surface_fit<ConcurrencyTag, Context>::displace()
+template <class ConcurrencyTag>
+std::size_t Surface_fit<ConcurrencyTag>::displace()
 {
-  data_.template for_each_coloured_block<ConcurrencyTag>([&](std::size_t begin, std::size_t end) {
+  data_.for_each_coloured_block<ConcurrencyTag>(true, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (displacement_[i] == Vector3()) continue;
       const Vector3 p = data_.position[i];
@@ -460,10 +458,10 @@ std::size_t Surface_fit<ConcurrencyTag, Context>::displace()
 }
 
 // Returns the number of vertices moved.
-template <class ConcurrencyTag, class Context>
-std::size_t fit_pass(Context& context, double length, unsigned passes)
+template <class ConcurrencyTag>
+std::size_t fit_pass(Remeshing_context& context, double length, unsigned passes)
 {
-  return Surface_fit<ConcurrencyTag, Context>(context, length).run(passes);
+  return Surface_fit<ConcurrencyTag>(context, length).run(passes);
 }
 
 } // namespace internal

@@ -52,8 +52,7 @@ inline bool is_flip_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 
 // Whether a flip of the edge of h makes a face that turns its back on the surface, where neither of the two did. Where
 // no face turns far, the surface need not be asked.
-template <class Context>
-bool makes_fold_by_flip(const Context& context, Remeshing_mesh::Index h)
+inline bool makes_fold_by_flip(const Remeshing_context& context, Remeshing_mesh::Index h)
 {
   const Remeshing_mesh& mesh = context.mesh;
   const Remeshing_mesh::Index o = mesh.opposite(h);
@@ -68,16 +67,14 @@ bool makes_fold_by_flip(const Context& context, Remeshing_mesh::Index h)
          !context.is_turned_over(a, b, c) && !context.is_turned_over(b, a, d);
 }
 
-template <class Context>
-bool is_flip_allowed(const Context& context, Remeshing_mesh::Index h, bool is_transient)
+inline bool is_flip_allowed(const Remeshing_context& context, Remeshing_mesh::Index h, bool is_transient)
 {
   const Remeshing_mesh& mesh = context.mesh;
   return mesh.is_flip_legal(h) && is_flip_fit(mesh, h) && !makes_fold_by_flip(context, h) &&
          context.permits_flip(h, is_transient);
 }
 
-template <class Context>
-void flip(Context& context, Remeshing_mesh::Index h)
+inline void flip(Remeshing_context& context, Remeshing_mesh::Index h)
 {
   Remeshing_mesh& mesh = context.mesh;
   context.visitor.before_flip(Mesh_halfedge(h), mesh);
@@ -107,8 +104,8 @@ inline void find_paying_flips(const Remeshing_mesh& mesh, Remeshing_mesh::Index 
 }
 
 // Flips the edges of `candidates` that pay. Returns the number of flips. The sectors have been measured.
-template <class ConcurrencyTag, class Context>
-std::size_t flip_pass(Context& context, std::vector<Remeshing_mesh::Index>& candidates)
+template <class ConcurrencyTag>
+std::size_t flip_pass(Remeshing_context& context, std::vector<Remeshing_mesh::Index>& candidates)
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
@@ -126,8 +123,8 @@ std::size_t flip_pass(Context& context, std::vector<Remeshing_mesh::Index>& cand
 }
 
 // The same for all edges.
-template <class ConcurrencyTag, class Context>
-std::size_t flip_pass(Context& context)
+template <class ConcurrencyTag>
+std::size_t flip_pass(Remeshing_context& context)
 {
   using Index = Remeshing_mesh::Index;
   const Remeshing_mesh& mesh = context.mesh;

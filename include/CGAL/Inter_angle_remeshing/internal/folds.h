@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 // Faces that fold over their neighbors where the surface does not.
 
@@ -32,32 +31,28 @@ inline Vector3 cross_product(const Remeshing_mesh& mesh, Remeshing_mesh::Index f
 }
 
 // Whether face f turns away from the surface. Beside a sharp crease of the surface neither of two faces does.
-template <class Context>
-bool leaves_surface(const Context& context, Remeshing_mesh::Index f)
+inline bool leaves_surface(const Remeshing_context& context, Remeshing_mesh::Index f)
 {
-  if constexpr (std::decay_t<decltype(context.projector)>::HAS_FACES) {
-    const Remeshing_mesh& mesh = context.mesh;
-    const auto& v = mesh.face_record(f).vertex;
-    const Vector3 centre = (1. / 3) * (mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2]));
-    Surface_point nearest;
-    Remeshing_mesh::Index facet = -1;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Remeshing_mesh::Index u : v) {
-      Remeshing_mesh::Index hint = mesh.hint(u);
-      const Surface_point p = context.projector.nearest(centre, hint);
-      if (const double d = squared_distance(p.point, centre); d < least) { nearest = p; facet = hint; least = d; }
-    }
-    const auto turns_away_from = [&, own = cross_product(mesh, f)](const Vector3& normal) {
-      return !is_cosine_at_least(normal, own, LEAVING_COSINE);
-    };
-    return turns_away_from(nearest.normal) && turns_away_from(context.projector.surface.cross_product(facet));
-  } else
-    return true;
+  if (!context.projector.has_faces()) return true;
+  const Remeshing_mesh& mesh = context.mesh;
+  const auto& v = mesh.face_record(f).vertex;
+  const Vector3 centre = (1. / 3) * (mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2]));
+  Surface_point nearest;
+  Remeshing_mesh::Index facet = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Remeshing_mesh::Index u : v) {
+    Remeshing_mesh::Index hint = mesh.hint(u);
+    const Surface_point p = context.projector.nearest(centre, hint);
+    if (const double d = squared_distance(p.point, centre); d < least) { nearest = p; facet = hint; least = d; }
+  }
+  const auto turns_away_from = [&, own = cross_product(mesh, f)](const Vector3& normal) {
+    return !is_cosine_at_least(normal, own, LEAVING_COSINE);
+  };
+  return turns_away_from(nearest.normal) && turns_away_from(context.projector.surface->cross_product(facet));
 }
 
 // By how much face f folds over one of its neighbors, in degrees; not positive where it does not.
-template <class Context>
-double fold_violation(const Context& context, Remeshing_mesh::Index f)
+inline double fold_violation(const Remeshing_context& context, Remeshing_mesh::Index f)
 {
   using Index = Remeshing_mesh::Index;
   const Remeshing_mesh& mesh = context.mesh;
@@ -76,8 +71,7 @@ double fold_violation(const Context& context, Remeshing_mesh::Index f)
 }
 
 // How far face f is out of its band, or folded, in degrees; not positive where it is neither.
-template <class Context>
-double violation(const Context& context, const Angle_bands& bands, Remeshing_mesh::Index f)
+inline double violation(const Remeshing_context& context, const Angle_bands& bands, Remeshing_mesh::Index f)
 {
   return (std::max)(angle_violation(context.mesh, bands, f), fold_violation(context, f));
 }

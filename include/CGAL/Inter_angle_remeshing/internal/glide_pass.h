@@ -76,8 +76,7 @@ inline bool find_glide(const Remeshing_mesh& mesh, Remeshing_mesh::Index h0, Rem
 }
 
 // Performs the flips of a glide; undoes them if one is not allowed.
-template <class Context>
-bool perform_glide(Context& context, const Glide& glide)
+inline bool perform_glide(Remeshing_context& context, const Glide& glide)
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
@@ -101,8 +100,8 @@ inline bool is_dislocation(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 }
 
 // Returns the number of glides. The sectors have been measured.
-template <class ConcurrencyTag, class Context>
-std::size_t glide_pass(Context& context)
+template <class ConcurrencyTag>
+std::size_t glide_pass(Remeshing_context& context)
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;

@@ -5,10 +5,10 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_NAMED_PARAMETERS_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_NAMED_PARAMETERS_H
 
-#include <CGAL/Inter_angle_remeshing/Default_visitor.h>
 #include <CGAL/Inter_angle_remeshing/Face_count.h>
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
-#include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/Edge_rule.h>
+#include <CGAL/Inter_angle_remeshing/internal/Run_visitor.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 
@@ -64,11 +64,12 @@ Map or_no_map(const Map& map) { return map; }
 template <class Vertex, class Preset>
 Preset policy_from(const Not_given&, const Preset& preset) { return preset; }
 
+// A policy, or a bool that stands for all edges.
 template <class Vertex, class Given, class Preset>
 auto policy_from(const Given& given, const Preset&)
 {
   if constexpr (std::is_arithmetic<Given>::value)
-    return Constant_policy{bool(given)};
+    return bool(given);
   else {
     static_assert(std::is_invocable_r<bool, const Given&, const Run_profile<Vertex>&>::value,
                   "do_split, do_collapse, do_flip: expected a bool or a policy "
@@ -86,11 +87,11 @@ bool is_left_to_the_recipe(const Given& given)
   else { (void)given; return false; }
 }
 
-inline Default_visitor& visitor_from(Not_given&, Default_visitor& preset) { return preset; }
+inline Run_visitor visitor_from(Not_given&) { return {}; }
 template <class Visitor>
-Visitor& visitor_from(std::reference_wrapper<Visitor>& given, Default_visitor&) { return given.get(); }
+User_visitor<Visitor> visitor_from(std::reference_wrapper<Visitor>& given) { return User_visitor<Visitor>(given.get()); }
 template <class Visitor>
-Visitor& visitor_from(Visitor& given, Default_visitor&) { return given; }
+User_visitor<Visitor> visitor_from(Visitor& given) { return User_visitor<Visitor>(given); }
 
 inline std::function<bool(double)> callback_from(const Not_given&) { return {}; }
 template <class Callback>

@@ -61,6 +61,14 @@ void for_each_block(std::size_t n, std::size_t block_size, const Function& funct
     run(block);
 }
 
+// The same, but one block after the other where the function is not one for several threads.
+template <class ConcurrencyTag, class Function>
+void for_each_block_if(bool is_concurrent, std::size_t n, std::size_t block_size, const Function& function)
+{
+  if (is_concurrent) for_each_block<ConcurrencyTag>(n, block_size, function);
+  else for_each_block<CGAL::Sequential_tag>(n, block_size, function);
+}
+
 // Elements scanned by one task: large enough that the task's own cost (about 1 us) is lost in it.
 constexpr std::size_t SCAN_BLOCK = 8192;
 

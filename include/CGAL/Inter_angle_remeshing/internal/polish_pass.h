@@ -21,7 +21,6 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-template <class Context>
 class Polisher
 {
   using Index = Remeshing_mesh::Index;
@@ -34,7 +33,7 @@ class Polisher
   static constexpr int FLIP_ROUNDS = 3;
 
 public:
-  Polisher(Context& context, double length)
+  Polisher(Remeshing_context& context, double length)
     : context_(context), mesh_(context.mesh), descent_(context, length)
   {}
 
@@ -111,7 +110,7 @@ private:
   std::size_t flip_beside_curves()
   {
     std::size_t flips = 0;
-    if (is_never(context_.flip_policy)) return flips;
+    if (context_.flip_rule.is_never()) return flips;
     for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f) {
       if (!mesh_.is_face(f)) continue;
       const auto& v = mesh_.face_record(f).vertex;
@@ -136,18 +135,17 @@ private:
            (std::min)(worst_angle(a, b, c), worst_angle(b, a, d)) + NOTICEABLE;
   }
 
-  Context& context_;
+  Remeshing_context& context_;
   Remeshing_mesh& mesh_;
-  Angle_descent<Context> descent_;
+  Angle_descent descent_;
   std::vector<char> is_queued_, visits_;
   std::vector<Index> queue_;
 };
 
 // Returns the number of moves and flips.
-template <class Context>
-std::size_t polish_pass(Context& context, double length)
+inline std::size_t polish_pass(Remeshing_context& context, double length)
 {
-  return Polisher<Context>(context, length).run();
+  return Polisher(context, length).run();
 }
 
 } // namespace internal

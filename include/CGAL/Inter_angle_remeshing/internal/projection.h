@@ -16,9 +16,7 @@
 #include <functional>
 #include <vector>
 
-// The projectors that passes see: `Vector3 operator()(const Vector3& q, Index& hint) const`, in the units of the flat
-// mesh. `hint` is the face where a walk starts and ends; projectors that know no faces leave it alone (HAS_FACES is false).
-// `face_of()` tells which of these faces is a face of the input, -1 where none is.
+// The projector that passes see, whatever the user handed over.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -31,12 +29,6 @@ inline Vector3 to_finite_vector(const Vector3& v)
     throw CGAL::Postcondition_exception("Inter_angle_remeshing", "projection_functor", __FILE__, __LINE__,
                                         "the projection functor returned a point that is not finite");
   return v;
-}
-
-template <class Point_3>
-Vector3 to_finite_vector(const Point_3& p)
-{
-  return to_finite_vector(to_vector3(p));
 }
 
 // A point of the surface with its unit normal.
@@ -52,30 +44,30 @@ inline Vector3 unit_vector(const Vector3& v)
 }
 
 // Onto the surface near the hint: the closest point on its facets, a point of the MLS surface over them, or one in
-// between, as the length of the facet says.
-struct Surface_projection
+// between, as the length of the facet says. Or by the user's rule; without a surface and without a rule every point stays. Points
+// are in the units of the flat mesh; `hint` is the face of the surface where a walk starts and ends.
+struct Projection
 {
-  static constexpr bool IS_CONCURRENT = true;
-  static constexpr bool HAS_FACES = true;
-
-  const Reference_surface& surface;
-  double factor = 1;                     // from the flat mesh's units to the surface's, a power of two
+  const Reference_surface* surface = nullptr;
+  double factor = 1;                     // from the flat mesh's units to those of the surface and of the rule, a power of two
   const Mls_surface* mls = nullptr;      // none: the facets
   double facet_length = 0;               // mean edge length of a face, up to which its facet counts,
   double smooth_length = 0;              // and from which on the MLS surface counts alone
-  // Rules where it is given, in the surface's units; the walk then serves for the hint alone.
+  // Rules where it is given; the walk, if there is a surface, then serves for the hint alone.
   const std::function<Vector3(const Vector3&)>* rule = nullptr;
   const std::vector<Corner_table::Index>* face_of_source = nullptr;   // where the surface's faces are those of the input
+  bool is_concurrent = true;             // whether several threads may ask
 
+  bool has_faces() const { return surface != nullptr; }
   Vector3 operator()(const Vector3& q, Corner_table::Index& hint) const
   {
     if (mls != nullptr) return (1 / factor) * smooth_point(factor * q, hint);
-    const Vector3 closest = surface.walk(factor * q, hint);
+    const Vector3 closest = has_faces() ? surface->walk(factor * q, hint) : factor * q;
     return (1 / factor) * (rule == nullptr ? closest : to_finite_vector((*rule)(factor * q)));
   }
   Vector3 smooth_point(const Vector3& q, Corner_table::Index& hint) const
   {
-    const Point_on_triangle closest = surface.closest_point_near(q, hint);
+    const Point_on_triangle closest = surface->closest_point_near(q, hint);
     const double l = mls->mean_edge_length(hint);
     if (l < facet_length) return closest.point;
     const Vector3 p = mls->project(q, hint, closest);
@@ -90,9 +82,9 @@ struct Surface_projection
   // The point over the facet of face f that has the barycentric coordinates b.
   Surface_point at(Corner_table::Index f, const Mls_surface::Barycentric& b) const
   {
-    const Corner_table::Face& t = surface.face_record(f);
+    const Corner_table::Face& t = surface->face_record(f);
     Vector3 p;
-    for (int k = 0; k < 3; ++k) p += b[k] * surface.position(t.vertex[k]);
+    for (int k = 0; k < 3; ++k) p += b[k] * surface->position(t.vertex[k]);
     if (const double share = mls == nullptr ? 0. : share_of_mls(mls->mean_edge_length(f)))
       p += share * (mls->point(f, b) - p);
     return {(1 / factor) * p, normal_at(f, (1 / factor) * p)};
@@ -100,10 +92,10 @@ struct Surface_projection
   Vector3 normal_at(Corner_table::Index f, const Vector3& p) const
   {
     if (mls != nullptr && share_of_mls(mls->mean_edge_length(f)) > 0) {
-      const Vector3 n = mls->normal(f, mls->barycentric_of(f, closest_point_on_face(surface, factor * p, f)));
+      const Vector3 n = mls->normal(f, mls->barycentric_of(f, closest_point_on_face(*surface, factor * p, f)));
       if (squared_length(n) > 0) return unit_vector(n);
     }
-    return unit_vector(surface.cross_product(f));
+    return unit_vector(surface->cross_product(f));
   }
   // Whether its faces are those of the input.
   bool is_input() const { return face_of_source != nullptr && rule == nullptr; }
@@ -123,88 +115,47 @@ struct Surface_projection
   // Whether the face of the hint looks to the same side as the normal: if not, it belongs to another sheet.
   bool is_compatible(Corner_table::Index hint, const Vector3& normal) const
   {
-    return dot(surface.cross_product(hint), normal) > 0;
+    return !has_faces() || dot(surface->cross_product(hint), normal) > 0;
   }
   // Whether it looks to the other side: the normals make more than OPPOSITE degrees. Well over a right angle, which
   // faces beside a sharp edge make with the surface beyond it.
   bool is_opposite(Corner_table::Index hint, const Vector3& normal) const
   {
-    return is_cosine_at_least(surface.cross_product(hint), -1. * normal, OPPOSITE_COSINE);
+    return has_faces() && is_cosine_at_least(surface->cross_product(hint), -1. * normal, OPPOSITE_COSINE);
   }
 
   static constexpr double OPPOSITE_COSINE = 0.5;
 };
 
-struct No_projection
-{
-  static constexpr bool IS_CONCURRENT = true;
-  static constexpr bool HAS_FACES = false;
-
-  Vector3 operator()(const Vector3& q, Corner_table::Index&) const { return q; }
-  Corner_table::Index face_of(Corner_table::Index) const { return -1; }
-  bool is_compatible(Corner_table::Index, const Vector3&) const { return true; }
-  bool is_opposite(Corner_table::Index, const Vector3&) const { return false; }
-};
-
-// By a functor of the user's that takes a point.
-template <class Functor, class Point_3>
-struct Point_functor_projection
-{
-  static constexpr bool IS_CONCURRENT = true;
-  static constexpr bool HAS_FACES = false;
-
-  const Functor& functor;
-  double unit;
-
-  Vector3 operator()(const Vector3& q, Corner_table::Index&) const
-  {
-    const Vector3 p = unit * q;
-    const Point_3 r = functor(Point_3(p.x, p.y, p.z));
-    return (1 / unit) * to_finite_vector(r);
-  }
-  Corner_table::Index face_of(Corner_table::Index) const { return -1; }
-  bool is_compatible(Corner_table::Index, const Vector3&) const { return true; }
-  bool is_opposite(Corner_table::Index, const Vector3&) const { return false; }
-};
-
 // By a functor of the user's that takes a vertex and reads its point. One vertex of the range carries the points of
 // all the others to it; its own point comes back with restore(), or when this object goes without it.
 template <class Functor, class Vertex, class VertexPointMap>
-class Vertex_functor_projection
+class Carrier_vertex
 {
   using Point_3 = typename boost::property_traits<VertexPointMap>::value_type;
 
 public:
-  static constexpr bool IS_CONCURRENT = false;
-  static constexpr bool HAS_FACES = false;
-
-  Vertex_functor_projection(const Functor& functor, Vertex carrier, VertexPointMap vpm, double unit)
-    : functor_(functor), carrier_(carrier), vpm_(vpm), unit_(unit), point_(get(vpm, carrier))
+  Carrier_vertex(const Functor& functor, Vertex vertex, VertexPointMap vpm)
+    : functor_(functor), vertex_(vertex), vpm_(vpm), point_(get(vpm, vertex))
   {}
-  Vertex_functor_projection(const Vertex_functor_projection&) = delete;
-  Vertex_functor_projection& operator=(const Vertex_functor_projection&) = delete;
-  ~Vertex_functor_projection()
+  Carrier_vertex(const Carrier_vertex&) = delete;
+  Carrier_vertex& operator=(const Carrier_vertex&) = delete;
+  ~Carrier_vertex()
   {
     try { restore(); } catch (...) {}    // of two exceptions, the one that is under way counts
   }
-  void restore() const { put(vpm_, carrier_, point_); }
+  void restore() const { put(vpm_, vertex_, point_); }
 
-  Vector3 operator()(const Vector3& q, Corner_table::Index&) const
+  Vector3 operator()(const Vector3& p) const
   {
-    const Vector3 p = unit_ * q;
-    put(vpm_, carrier_, Point_3(p.x, p.y, p.z));
-    const Point_3 r = functor_(carrier_);
-    return (1 / unit_) * to_finite_vector(r);
+    put(vpm_, vertex_, Point_3(p.x, p.y, p.z));
+    return to_vector3(Point_3(functor_(vertex_)));
   }
-  Corner_table::Index face_of(Corner_table::Index) const { return -1; }
-  bool is_compatible(Corner_table::Index, const Vector3&) const { return true; }
-  bool is_opposite(Corner_table::Index, const Vector3&) const { return false; }
 
 private:
   const Functor& functor_;
-  Vertex carrier_;
+  Vertex vertex_;
   VertexPointMap vpm_;
-  double unit_;
   Point_3 point_;
 };
 

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 // Moves vertices tangentially towards the centre of their neighbors and pulls them back onto the surface (Zheng and
@@ -65,8 +64,8 @@ public:
 
   // Returns the number of vertices that may have moved: all of them, or those of a region. Slides leave no chord further than
   // `curve_tolerance` from its curve, unless it is that already.
-  template <class ConcurrencyTag, class Projector>
-  std::size_t run(Remeshing_mesh& mesh, const Projector& projector, unsigned sweeps, Pull_back pull_back,
+  template <class ConcurrencyTag>
+  std::size_t run(Remeshing_mesh& mesh, const Projection& projector, unsigned sweeps, Pull_back pull_back,
                   double curve_tolerance, const Sweep_data::Region* region = nullptr);
 
 private:
@@ -97,19 +96,17 @@ private:
 
   Vector3 refresh(std::size_t i);
   Vector3 refresh_normal(std::size_t i);
-  template <class Projector>
-  void sweep(std::size_t begin, std::size_t end, unsigned number, const Projector& projector);
+  void sweep(std::size_t begin, std::size_t end, unsigned number, const Projection& projector);
   bool turns_face(std::size_t i, const Vector3& before, const Vector3& after) const;
   bool turns_no_face(std::size_t i, const Vector3& q) const;
   bool keeps_faces(std::size_t i, const Vector3& q) const;
   double smallest_angle(std::size_t i, const Vector3& p) const;
   void take_step(std::size_t i, const Vector3& step);
-  template <class Projector>
-  void take_guarded_step(std::size_t i, const Vector3& step, const Projector& projector);
+  void take_guarded_step(std::size_t i, const Vector3& step, const Projection& projector);
   void slide(std::size_t i);
   double chord_deviation(std::size_t i, double shift, const Vector3& p) const;
-  template <class ConcurrencyTag, class Projector>
-  void project_all(const Projector& projector);
+  template <class ConcurrencyTag>
+  void project_all(const Projection& projector);
 
   const Recipe& recipe_;
   const Input_curves& curves_;
@@ -246,8 +243,7 @@ BOOST_FORCEINLINE Vector3 Relaxation::refresh_normal(std::size_t i)
   return to_centre(i);
 }
 
-template <class Projector>
-void Relaxation::sweep(std::size_t begin, std::size_t end, unsigned number, const Projector& projector)
+inline void Relaxation::sweep(std::size_t begin, std::size_t end, unsigned number, const Projection& projector)
 {
   const bool is_first = number == 0, takes_normals = number % SWEEPS_A_NORMAL == 0;
   for (std::size_t i = begin; i < end; ++i) {
@@ -320,8 +316,7 @@ BOOST_FORCEINLINE void Relaxation::take_step(std::size_t i, const Vector3& step)
 }
 
 // Projects at once.
-template <class Projector>
-void Relaxation::take_guarded_step(std::size_t i, const Vector3& step, const Projector& projector)
+inline void Relaxation::take_guarded_step(std::size_t i, const Vector3& step, const Projection& projector)
 {
   double factor = 1;
   for (int trial = 0; trial < STEP_TRIALS; ++trial, factor /= 2) {
@@ -378,10 +373,10 @@ inline void Relaxation::slide(std::size_t i)
 
 // A vertex whose projection would turn a face goes a part of the way, and the rest as its neighbors make room. One
 // whose projection would lead onto another sheet stays where it is until the next time.
-template <class ConcurrencyTag, class Projector>
-void Relaxation::project_all(const Projector& projector)
+template <class ConcurrencyTag>
+void Relaxation::project_all(const Projection& projector)
 {
-  data_.for_each_coloured_block<ConcurrencyTag>([&](std::size_t begin, std::size_t end) {
+  data_.for_each_coloured_block<ConcurrencyTag>(projector.is_concurrent, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (data_.mobility[i] == Mobility::fixed || data_.is_sliding(i)) continue;
       Index hint = data_.hint[i];
@@ -393,11 +388,10 @@ void Relaxation::project_all(const Projector& projector)
   });
 }
 
-template <class ConcurrencyTag, class Projector>
-std::size_t Relaxation::run(Remeshing_mesh& mesh, const Projector& projector, unsigned sweeps, Pull_back pull_back,
+template <class ConcurrencyTag>
+std::size_t Relaxation::run(Remeshing_mesh& mesh, const Projection& projector, unsigned sweeps, Pull_back pull_back,
                             double curve_tolerance, const Sweep_data::Region* region)
 {
-  using Tag = std::conditional_t<Projector::IS_CONCURRENT, ConcurrencyTag, CGAL::Sequential_tag>;
   mesh_ = &mesh;
   curve_tolerance_ = curve_tolerance;
   data_.read<ConcurrencyTag>(mesh, region);
@@ -408,11 +402,11 @@ std::size_t Relaxation::run(Remeshing_mesh& mesh, const Projector& projector, un
     for (std::size_t i = 0; i < data_.size(); ++i)
       if (data_.mobility[i] != Mobility::fixed && !data_.is_sliding(i)) refresh(i);
   for (unsigned s = 0; s < sweeps; ++s) {
-    data_.for_each_coloured_block<Tag>([&](std::size_t begin, std::size_t end) {
+    data_.for_each_coloured_block<ConcurrencyTag>(projector.is_concurrent, [&](std::size_t begin, std::size_t end) {
       sweep(begin, end, s, projector);
     });
   }
-  if (pull_back != Pull_back::never) project_all<Tag>(projector);
+  if (pull_back != Pull_back::never) project_all<ConcurrencyTag>(projector);
   data_.write(mesh);
   return data_.number_of_movable();
 }

@@ -34,7 +34,7 @@ namespace internal {
 
 // Everything that isotropic_remeshing() reads from its named parameters.
 template <class VertexPointMap, class EdgeIsConstrainedMap, class VertexIsConstrainedMap, class PatchMap,
-          class SplitPolicy, class CollapsePolicy, class FlipPolicy, class ProjectionFunctor, class Visitor>
+          class SplitPolicy, class CollapsePolicy, class FlipPolicy, class ProjectionFunctor>
 struct Remeshing_parameters
 {
   VertexPointMap vertex_point_map;
@@ -45,7 +45,7 @@ struct Remeshing_parameters
   CollapsePolicy collapse_policy;
   FlipPolicy flip_policy;
   ProjectionFunctor projection_functor;
-  Visitor& visitor;
+  Run_visitor& visitor;
   Recipe recipe;
   Schedule schedule;
   Constraint_settings constraint_settings;
@@ -157,7 +157,6 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
                               Parameters& parameters)
 {
   using Vpm = decltype(parameters.vertex_point_map);
-  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   check_recipe(parameters.recipe);
   if (range.begin() == range.end()) {
     if constexpr (!std::is_same<Length, Face_count>::value) check_length(CGAL::to_double(length), 0, 0);
@@ -179,22 +178,19 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   mesh.renumber<ConcurrencyTag>(morton_order(mesh));
   Input_curves curves(mesh);
 
+  const auto rule = [&](const auto& policy) {
+    return make_edge_rule(policy, exchange.input_vertices(), boost::graph_traits<TriangleMesh>::null_vertex());
+  };
   bool is_to_be_written = true;
-  Remeshing_report report = run_with_projector<ConcurrencyTag>(parameters, exchange, mesh, kind, curves, target,
-    [&](const auto& projector) {
-      using Context = Remeshing_context<Vertex, decltype(parameters.split_policy), decltype(parameters.collapse_policy),
-                                        decltype(parameters.flip_policy), std::decay_t<decltype(projector)>,
-                                        std::decay_t<decltype(parameters.visitor)>>;
-      Context context{mesh, parameters.recipe, curves, exchange.input_vertices(),
-                      boost::graph_traits<TriangleMesh>::null_vertex(), parameters.split_policy,
-                      parameters.collapse_policy, parameters.flip_policy, projector, parameters.visitor,
-                      parameters.may_collapse_constraints, target,
-                      parameters.may_subdivide, kind.is_cad ? parameters.recipe.grading : 0., Grading()};
-      Remesher<ConcurrencyTag, Context> remesher(context, parameters.schedule);
-      const Remeshing_report result = remesher.run();
-      is_to_be_written = remesher.is_at_finest_level();
-      return result;
-    });
+  Remeshing_report report = run_with_projector(parameters, exchange, mesh, kind, curves, target, [&](const Projection& projector) {
+    Remeshing_context context{mesh, parameters.recipe, curves, rule(parameters.split_policy), rule(parameters.collapse_policy),
+                              rule(parameters.flip_policy), projector, parameters.visitor, parameters.may_collapse_constraints,
+                              target, parameters.may_subdivide, kind.is_cad ? parameters.recipe.grading : 0., Grading()};
+    Remesher<ConcurrencyTag> remesher(context, parameters.schedule);
+    const Remeshing_report result = remesher.run();
+    is_to_be_written = remesher.is_at_finest_level();
+    return result;
+  });
 
   report.features = kind.features;
   report.feature_edges = kind.feature_edges;

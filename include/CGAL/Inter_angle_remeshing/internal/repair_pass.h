@@ -29,7 +29,6 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-template <class Context>
 class Repairer
 {
   using Index = Remeshing_mesh::Index;
@@ -63,7 +62,7 @@ class Repairer
   };
 
 public:
-  Repairer(Context& context, double length)
+  Repairer(Remeshing_context& context, double length)
     : context_(context), mesh_(context.mesh), length_(length), bands_(context.recipe), descent_(context, length),
       limits_{LONGEST * length * length, TOLERANCE * length * TOLERANCE * length, MAXIMUM_MERGED_VALENCE}
   {}
@@ -233,11 +232,11 @@ private:
     for (const Index g : faces_around(mesh_, around)) given_up(g) = 0;
   }
 
-  Context& context_;
+  Remeshing_context& context_;
   Remeshing_mesh& mesh_;
   double length_;
   Angle_bands bands_;
-  Angle_descent<Context> descent_;
+  Angle_descent descent_;
   Collapse_limits limits_;
   Mesh_snapshot snapshot_;
   int round_ = 0;

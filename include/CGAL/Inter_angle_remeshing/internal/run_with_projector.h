@@ -89,9 +89,9 @@ public:
     if (!barriers.empty()) patched_.emplace(surface, barriers);
   }
 
-  Surface_projection projection() const
+  Projection projection() const
   {
-    Surface_projection result{patched_ ? *patched_ : surface_, factor_};
+    Projection result{patched_ ? &*patched_ : &surface_, factor_};
     if (!face_of_source_.empty()) result.face_of_source = &face_of_source_;
     return result;
   }
@@ -131,9 +131,20 @@ private:
   std::vector<Index> face_of_source_;          // empty: the surface is another one
 };
 
+// Runs the remesher with a functor of the user's.
+template <class Run>
+Remeshing_report run_with_rule(double unit, bool is_concurrent, const std::function<Vector3(const Vector3&)>& rule, const Run& run)
+{
+  Projection projection;
+  projection.factor = unit;
+  projection.rule = &rule;
+  projection.is_concurrent = is_concurrent;
+  return run(projection);
+}
+
 // Runs the remesher with the projector that the functor asks for. A wanted number of faces is one of the surface that
 // the result lies on: the target length follows its area.
-template <class ConcurrencyTag, class Parameters, class Exchange, class Run>
+template <class Parameters, class Exchange, class Run>
 Remeshing_report run_with_projector(const Parameters& parameters, const Exchange& exchange, Remeshing_mesh& mesh,
                                     const Input_kind& kind, Input_curves& curves, double& target, const Run& run)
 {
@@ -141,14 +152,14 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
   using Point_3 = typename boost::property_traits<decltype(parameters.vertex_point_map)>::value_type;
   const auto& functor = referred(parameters.projection_functor);
   using Functor = std::decay_t<decltype(functor)>;
-  if (!parameters.does_project) return run(No_projection());
+  if (!parameters.does_project) return run(Projection());
   if constexpr (std::is_same<Functor, No_map>::value) {
     if (parameters.recipe.surface == Recipe::Surface::paper) {
       const Reference_surface facets(mesh);
       const std::vector<Remeshing_mesh::Index> face_of_source = faces_by_source(facets);
       const auto rule = paper_surface(facets, find_features(mesh));
       start_where_vertices_are(mesh);
-      Surface_projection projection{facets};
+      Projection projection{&facets};
       projection.face_of_source = &face_of_source;
       if (rule) projection.rule = &rule;
       return run(projection);
@@ -161,19 +172,19 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
   } else if constexpr (Has_reference_surface<Functor>::value) {
     const Handed_surface surface(functor.reference_surface(), mesh);
     surface.start(mesh);
-    Surface_projection projection = surface.projection();
+    Projection projection = surface.projection();
     if constexpr (Has_mls_surface<Functor>::value) projection.mls = &functor.mls_surface();
     return run(projection);
   } else if constexpr (std::is_invocable_r<Point_3, const Functor&, const Point_3&>::value)
-    return run(Point_functor_projection<Functor, Point_3>{functor, mesh.unit()});
+    return run_with_rule(mesh.unit(), true, [&](const Vector3& p) { return to_vector3(Point_3(functor(Point_3(p.x, p.y, p.z)))); }, run);
   else {
     static_assert(std::is_invocable_r<Point_3, const Functor&, Vertex>::value,
                   "projection_functor: expected a functor `Point_3 operator()(vertex_descriptor) const`, as in "
                   "Polygon_mesh_processing, or `Point_3 operator()(const Point_3&) const`.");
-    const Vertex_functor_projection<Functor, Vertex, decltype(parameters.vertex_point_map)> projection(
-      functor, exchange.input_vertices().front(), parameters.vertex_point_map, mesh.unit());
-    const Remeshing_report report = run(projection);
-    projection.restore();
+    const Carrier_vertex<Functor, Vertex, decltype(parameters.vertex_point_map)> carrier(
+      functor, exchange.input_vertices().front(), parameters.vertex_point_map);
+    const Remeshing_report report = run_with_rule(mesh.unit(), false, std::cref(carrier), run);
+    carrier.restore();
     return report;
   }
 }

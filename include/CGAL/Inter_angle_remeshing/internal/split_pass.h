@@ -26,8 +26,7 @@ struct Split_vertex
 
 // Before the edge of h is split: where its ends were projected, as far as they are free. One on a curve says nothing
 // about the side of the curve; then the apexes are asked, and at last the input faces that the faces beside descend from.
-template <class Context>
-Split_vertex split_hints(const Context& context, Remeshing_mesh::Index h)
+inline Split_vertex split_hints(const Remeshing_context& context, Remeshing_mesh::Index h)
 {
   using Index = Remeshing_mesh::Index;
   const Remeshing_mesh& mesh = context.mesh;
@@ -59,13 +58,13 @@ inline bool keeps_orientation(const Remeshing_mesh& mesh, Remeshing_mesh::Index 
 
 // Moves the new vertices that do not lie on a curve onto the surface, from the nearer one of the two places where
 // the ends of their edges were projected. Where that would fold the surface over, they stay on the edge.
-template <class ConcurrencyTag, class Context>
-void project_split_vertices(Context& context, const std::vector<Split_vertex>& split)
+template <class ConcurrencyTag>
+void project_split_vertices(Remeshing_context& context, const std::vector<Split_vertex>& split)
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
   std::vector<Vector3> projected(split.size());
-  for_each_block<ConcurrencyTag>(split.size(), PROJECTION_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
+  for_each_block_if<ConcurrencyTag>(context.projector.is_concurrent, split.size(), PROJECTION_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
       const Index v = split[i].vertex;
       const Vector3& q = mesh.position(v);
@@ -96,8 +95,7 @@ inline bool is_beside_much_longer_edge(const Remeshing_mesh& mesh, Remeshing_mes
 }
 
 // Where a split puts its vertex before it is projected.
-template <class Context>
-Vector3 split_point(const Context& context, Remeshing_mesh::Index h)
+inline Vector3 split_point(const Remeshing_context& context, Remeshing_mesh::Index h)
 {
   const Remeshing_mesh& mesh = context.mesh;
   return mesh.has_place(h) ? middle_on_curve(context, h)
@@ -105,8 +103,7 @@ Vector3 split_point(const Context& context, Remeshing_mesh::Index h)
 }
 
 // Splits the edge of h; the new vertex is yet to be projected.
-template <class Context>
-Split_vertex split_edge(Context& context, Remeshing_mesh::Index h)
+inline Split_vertex split_edge(Remeshing_context& context, Remeshing_mesh::Index h)
 {
   Remeshing_mesh& mesh = context.mesh;
   Split_vertex made = split_hints(context, h);
@@ -118,8 +115,7 @@ Split_vertex split_edge(Context& context, Remeshing_mesh::Index h)
 }
 
 // The same; the visitor is told.
-template <class Context>
-Split_vertex split(Context& context, Remeshing_mesh::Index h)
+inline Split_vertex split(Remeshing_context& context, Remeshing_mesh::Index h)
 {
   context.visitor.before_split(Mesh_halfedge(h), context.mesh);
   const Split_vertex made = split_edge(context, h);
@@ -129,8 +125,8 @@ Split_vertex split(Context& context, Remeshing_mesh::Index h)
 
 // Splits the edges of `long_edges` as far as they are still too long; appends short edges at new vertices to
 // `short_edges`. Returns the number of splits.
-template <class ConcurrencyTag, class Context>
-std::size_t split_pass(Context& context, std::vector<Remeshing_mesh::Index>& long_edges,
+template <class ConcurrencyTag>
+std::size_t split_pass(Remeshing_context& context, std::vector<Remeshing_mesh::Index>& long_edges,
                        std::vector<Remeshing_mesh::Index>& short_edges)
 {
   using Index = Remeshing_mesh::Index;
@@ -157,7 +153,7 @@ std::size_t split_pass(Context& context, std::vector<Remeshing_mesh::Index>& lon
         if (mesh.squared_edge_length(k) < context.squared_shortness_limit(made.vertex, mesh.target(k))) short_edges.push_back(k);
       });
     });
-  project_split_vertices<typename Context::template Projection_tag<ConcurrencyTag>>(context, made_vertices);
+  project_split_vertices<ConcurrencyTag>(context, made_vertices);
   return made_vertices.size();
 }
 

@@ -14,7 +14,6 @@
 #include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -27,8 +26,7 @@ namespace internal {
 
 // Whether the angles of face f are out of the band, or it is folded over. Beside a curve the surface looks several ways, and
 // angles are what the curve leaves.
-template <class Context>
-bool is_poor_face(const Context& context, Remeshing_mesh::Index f, const Angle_band& band)
+inline bool is_poor_face(const Remeshing_context& context, Remeshing_mesh::Index f, const Angle_band& band)
 {
   const Remeshing_mesh& mesh = context.mesh;
   const auto& v = mesh.face_record(f).vertex;
@@ -36,7 +34,7 @@ bool is_poor_face(const Context& context, Remeshing_mesh::Index f, const Angle_b
   return !band.holds(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])) || fold_violation(context, f) > 0;
 }
 
-template <class ConcurrencyTag, class Context>
+template <class ConcurrencyTag>
 class Spot_iteration
 {
   using Index = Remeshing_mesh::Index;
@@ -53,7 +51,7 @@ class Spot_iteration
   static constexpr double LARGEST_SHARE = 0.02;
 
 public:
-  Spot_iteration(Context& context, Relaxation& relaxation)
+  Spot_iteration(Remeshing_context& context, Relaxation& relaxation)
     : context_(context), mesh_(context.mesh), relaxation_(relaxation), band_(LOWER_ANGLE, UPPER_ANGLE)
   {}
 
@@ -154,7 +152,7 @@ private:
     }
   }
 
-  Context& context_;
+  Remeshing_context& context_;
   Remeshing_mesh& mesh_;
   Relaxation& relaxation_;
   Angle_band band_;
@@ -164,8 +162,8 @@ private:
 };
 
 // Whether more faces are poor than the direct way leaves, which is one in some hundred thousand.
-template <class ConcurrencyTag, class Context>
-bool has_poor_faces(const Context& context)
+template <class ConcurrencyTag>
+bool has_poor_faces(const Remeshing_context& context)
 {
   using Index = Remeshing_mesh::Index;
   constexpr double LOWER_ANGLE = 18, UPPER_ANGLE = 120, LARGEST_SHARE = 1e-5;

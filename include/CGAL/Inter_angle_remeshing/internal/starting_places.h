@@ -17,7 +17,7 @@ namespace internal {
 
 // Gives each vertex the face of the surface where it lies. A vertex starts from its neighbor's face; where that walk
 // does not lead onto the surface, the place is searched for.
-inline void find_hints(Remeshing_mesh& mesh, const Surface_projection& projection)
+inline void find_hints(Remeshing_mesh& mesh, const Projection& projection)
 {
   using Index = Remeshing_mesh::Index;
   constexpr double ON_SURFACE = 1e-20;          // squared distance; the extent of the mesh is about 1
@@ -35,8 +35,8 @@ inline void find_hints(Remeshing_mesh& mesh, const Surface_projection& projectio
       normal += triangle_cross(mesh.position(v), mesh.position(mesh.target(h)), mesh.position(mesh.apex(h)));
     });
     const Vector3 q = projection.factor * mesh.position(v);
-    if (++searches <= SCANS) projection.surface.locate_by_scan(q, mesh.hint(v), normal);
-    else projection.surface.locate(q, mesh.hint(v), normal);
+    if (++searches <= SCANS) projection.surface->locate_by_scan(q, mesh.hint(v), normal);
+    else projection.surface->locate(q, mesh.hint(v), normal);
   };
   for (Index seed = 0; seed < Index(mesh.number_of_vertex_slots()); ++seed) {
     if (!mesh.is_vertex(seed) || is_found[seed]) continue;

@@ -23,21 +23,18 @@ namespace internal {
 constexpr double FLAT_EDGE_COSINE = 0.9;
 
 // Whether the new vertex is to be pulled onto the surface at once.
-template <class Context>
-bool is_on_bent_edge(const Context& context, const Split_vertex& middle)
+inline bool is_on_bent_edge(const Remeshing_context& context, const Split_vertex& middle)
 {
   if (!context.mesh.is_free(middle.vertex)) return false;
-  if constexpr (std::decay_t<decltype(context.projector)>::HAS_FACES) {
-    const Reference_surface& surface = context.projector.surface;
-    return middle.hint != middle.other_hint &&
-           !is_cosine_at_least(surface.cross_product(middle.hint), surface.cross_product(middle.other_hint), FLAT_EDGE_COSINE);
-  } else
-    return true;
+  if (!context.projector.has_faces()) return true;
+  const Reference_surface& surface = *context.projector.surface;
+  return middle.hint != middle.other_hint &&
+         !is_cosine_at_least(surface.cross_product(middle.hint), surface.cross_product(middle.other_hint), FLAT_EDGE_COSINE);
 }
 
 // Returns the number of edges bisected. The mesh is in a space-filling order, and stays in it.
-template <class ConcurrencyTag, class Context>
-std::size_t subdivision_pass(Context& context)
+template <class ConcurrencyTag>
+std::size_t subdivision_pass(Remeshing_context& context)
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
@@ -54,16 +51,15 @@ std::size_t subdivision_pass(Context& context)
       middles[i].vertex = numbers.middle[h];
     }
   });
-  constexpr bool has_visitor = !std::is_same<std::decay_t<decltype(context.visitor)>, Default_visitor>::value;
-  if constexpr (has_visitor)
+  if (context.visitor.listens())
     for (const Index h : numbers.edges) context.visitor.before_split(Mesh_halfedge(h), mesh);
   mesh.subdivide<ConcurrencyTag>(numbers, points);
   for (const Split_vertex& middle : middles) mesh.hint(middle.vertex) = middle.hint;
-  if constexpr (has_visitor)
+  if (context.visitor.listens())
     for (const Split_vertex& middle : middles) context.visitor.after_split(Mesh_vertex(middle.vertex), mesh);
   middles.erase(std::remove_if(middles.begin(), middles.end(),
                                [&](const Split_vertex& middle) { return !is_on_bent_edge(context, middle); }), middles.end());
-  project_split_vertices<typename Context::template Projection_tag<ConcurrencyTag>>(context, middles);
+  project_split_vertices<ConcurrencyTag>(context, middles);
   return n;
 }
 
