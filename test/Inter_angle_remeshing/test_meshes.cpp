@@ -457,6 +457,10 @@ void measure_organic_meshes()
 
 // --- random meshes -----------------------------------------------------------------------------------------------
 
+// How far the result may be from the input, in edge lengths of the input or of the target, whichever are longer: noise of up to
+// .4 is smoothed away, and tubes are as narrow as the target is long.
+const double FARTHEST = .75;
+
 // The same numbers everywhere: the standard fixes the generator, but none of its distributions.
 class Dice
 {
@@ -631,7 +635,6 @@ std::vector<std::pair<Vertex, meshes::Bits>> picture_of_faces(const Faces& all, 
   return picture;
 }
 
-
 void check_constraints_are_kept(Random_case& c, Mesh& output, const std::string& what)
 {
   for(const Vertex v : vertices(c.mesh))
@@ -711,13 +714,14 @@ void check_band(const Random_case& c, const std::vector<Face>& range, const Mesh
   CHECK_MESSAGE(report.band_holds == holds || named.size() == 1000, what);
 }
 
-void check_random_case(std::uint64_t seed)
+// Returns whether the result crosses itself, though the input did not.
+bool check_random_case(std::uint64_t seed)
 {
   const std::string what = "seed " + std::to_string(seed);
   Random_case c(seed);
   auto [output, report] = c.remeshed<CGAL::Sequential_tag>();
   if(!check_same_shape(output, c.mesh, what))
-    return;
+    return false;
 
   std::vector<Face> outside;
   std::set_difference(c.mesh.faces_begin(), c.mesh.faces_end(), c.range.begin(), c.range.end(),
@@ -730,6 +734,9 @@ void check_random_case(std::uint64_t seed)
   std::set_difference(output.faces_begin(), output.faces_end(), outside.begin(), outside.end(), std::back_inserter(inside));
   if(!inside.empty())
     check_band(c, inside, output, report, what);
+  const auto distances = IAR::surface_distance(c.mesh, output, parameters::number_of_points_on_faces(3000));
+  const double farthest = distances.hausdorff() / std::max(c.length, mean_edge_length(c.mesh));
+  CHECK_MESSAGE(farthest <= FARTHEST, what << ": " << farthest);
   if(c.length == 0 || (!c.do_split && !c.do_collapse))
     CHECK_MESSAGE(output.number_of_faces() == c.mesh.number_of_faces(), what);
   if(!c.do_split || c.length == 0)
@@ -741,13 +748,17 @@ void check_random_case(std::uint64_t seed)
 
   const auto again = c.remeshed<CGAL::Parallel_if_available_tag>();
   CHECK_MESSAGE(meshes::Picture<Mesh>(again.first) == meshes::Picture<Mesh>(output), what);
+  return does_self_intersect(output) && !does_self_intersect(c.mesh);
 }
 
 void random_meshes_keep_what_they_must()
 {
   const std::uint64_t cases = meshes::is_small_run() ? 120 : 800;
+  std::uint64_t crossed = 0;
   for(std::uint64_t seed = 0; seed < cases; ++seed)
-    check_random_case(seed);
+    crossed += check_random_case(seed);
+  // A tube that is as wide as the target is long, faces out of the range that stay in the way of others: rare, not never.
+  CHECK_MESSAGE(crossed <= cases / 100, crossed << " of " << cases);
 }
 
 // --- fine targets ------------------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Input_curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/Sweep_data.h>
 #include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
+#include <CGAL/Inter_angle_remeshing/internal/projection.h>
 #include <CGAL/Inter_angle_remeshing/internal/thin_angles.h>
 
 #include <boost/config.hpp>

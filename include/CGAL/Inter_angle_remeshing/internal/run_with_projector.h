@@ -5,6 +5,8 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_RUN_WITH_PROJECTOR_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_RUN_WITH_PROJECTOR_H
 
+#include <CGAL/Inter_angle_remeshing/Recipe.h>
+#include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
 #include <CGAL/Inter_angle_remeshing/internal/Default_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>

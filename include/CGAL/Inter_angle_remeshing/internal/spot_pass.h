@@ -76,7 +76,7 @@ public:
       keep_seeds();
       find_region();
       flip(report);
-      relaxation_.template run<CGAL::Sequential_tag>(mesh_, context_.projector, SWEEPS, Pull_back::after_last_sweep,
+      relaxation_.run<CGAL::Sequential_tag>(mesh_, context_.projector, SWEEPS, Pull_back::after_last_sweep,
                                                      curve_tolerance, &region_);
       find_seeds();
       stalled = seeds_.size() < fewest ? 0 : stalled + 1;
