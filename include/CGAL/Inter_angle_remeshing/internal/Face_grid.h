@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// Finds the faces of the mesh that are near, over any sheet: those of the vertices that are, where these lay at first. Faces with
-// edges that are longer than `longest_edge` may be overlooked; no vertex moves nearly as far later.
+// Finds the faces of the mesh that are near, over any sheet: those of the vertices that are, where these lay when it was asked
+// first. Faces with edges that are longer than `longest_edge` may be overlooked; no vertex moves nearly as far later.
 class Face_grid
 {
 public:
@@ -24,15 +24,13 @@ public:
 
   Face_grid(const Remeshing_mesh& mesh, double longest_edge)
     : mesh_(mesh), longest_edge_(longest_edge), vertices_(longest_edge)
-  {
-    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v)
-      if (mesh.is_vertex(v)) vertices_.insert(mesh.position(v), v);
-  }
+  {}
 
   // Calls `function(face)` for the faces that may meet the box, and some others, until it returns false.
   template <class Function>
-  void for_each_near(const Vector3& low, const Vector3& high, Visit_marks& marks, const Function& function) const
+  void for_each_near(const Vector3& low, const Vector3& high, Visit_marks& marks, const Function& function)
   {
+    if (!is_filled_) fill();
     const Vector3 margin{longest_edge_, longest_edge_, longest_edge_};
     bool goes_on = true;
     marks.start(mesh_.number_of_face_slots());
@@ -46,9 +44,17 @@ public:
   }
 
 private:
+  void fill()
+  {
+    for (Index v = 0; v < Index(mesh_.number_of_vertex_slots()); ++v)
+      if (mesh_.is_vertex(v)) vertices_.insert(mesh_.position(v), v);
+    is_filled_ = true;
+  }
+
   const Remeshing_mesh& mesh_;
   double longest_edge_;
   Point_grid vertices_;
+  bool is_filled_ = false;
 };
 
 } // namespace internal

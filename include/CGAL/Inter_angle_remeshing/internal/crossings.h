@@ -53,7 +53,7 @@ inline bool cross_each_other(const Remeshing_mesh& mesh, Remeshing_mesh::Index f
 }
 
 // Whether one of `faces` crosses another face.
-inline bool are_crossed(const Remeshing_mesh& mesh, const Face_grid& grid, const std::vector<Remeshing_mesh::Index>& faces,
+inline bool are_crossed(const Remeshing_mesh& mesh, Face_grid& grid, const std::vector<Remeshing_mesh::Index>& faces,
                         Visit_marks& marks)
 {
   using Index = Remeshing_mesh::Index;
