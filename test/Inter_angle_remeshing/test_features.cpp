@@ -627,6 +627,17 @@ void borders_have_good_angles()
   }
 }
 
+// The lips of a closed mouth would be features side by side, with a strip of needles between them.
+void slits_are_no_features()
+{
+  if(meshes::is_small_run())
+    return;
+  Mesh m = read("mannequin-devil");
+  IAR::isotropic_remeshing(2 * mean_edge_length(m), m);
+  const auto quality = IAR::inter_angle_statistics(m);
+  CHECK_MESSAGE(quality.minimum_angle > 30 && quality.maximum_angle < 110, quality.minimum_angle << " to " << quality.maximum_angle);
+}
+
 // Details smaller than the target: the target follows the curves' edges, or not.
 void grading_mends_small_details()
 {
@@ -771,6 +782,7 @@ int main()
   small_holes_and_thin_walls_survive();
   steps_are_no_corners();
   borders_have_good_angles();
+  slits_are_no_features();
   grading_mends_small_details();
   a_count_is_met_in_spite_of_grading();
   return result();

@@ -75,7 +75,7 @@ private:
   };
   struct Chain
   {
-    std::vector<Index> edges;
+    std::vector<Index> edges;                // one behind the other
     std::array<Index, 2> ends = {-1, -1};    // -1: closed
     int free_ends = 0;
   };
@@ -85,6 +85,7 @@ private:
   static constexpr double LEAST_STRONG_SHARE = 0.5, LARGEST_BAD_SHARE = 0.25;
   static constexpr double BEND_COSINE = 0.7071067811865476;       // 45 degrees
   static constexpr double PARALLEL_DISTANCE = 0.35, PARALLEL_SHARE = 0.25;
+  static constexpr double ALONG = 3;                   // so many distances apart along a chain, two of its parts may run beside each other
   static constexpr double JUNCTION_RADIUS = 1.5;       // in such distances, within which chains that meet are near each other
   static constexpr double ACUTE_COSINE = 0.9063077870366499;      // 25 degrees
 
@@ -140,6 +141,7 @@ private:
   std::vector<Vector3> samples(const Chain& chain) const;
   std::vector<std::pair<Index, Vector3>> first_edges(const Chain& chain) const;
   bool runs_beside(const Chain& chain, const std::vector<Vector3>& samples, const Point_grid& others) const;
+  bool runs_beside_itself(const Chain& chain) const;
   void drop_parallel_chains();
 
   const Remeshing_mesh& mesh_;
@@ -196,7 +198,9 @@ inline std::vector<Feature_graph::Chain> Feature_graph::chains() const
     is_passed[e] = 1;
     Chain chain;
     chain.edges.push_back(e);
-    for (const int side : {0, 1}) follow(e, side, chain, is_passed);
+    follow(e, 0, chain, is_passed);
+    std::reverse(chain.edges.begin(), chain.edges.end());
+    follow(e, 1, chain, is_passed);
     result.push_back(std::move(chain));
   }
   return result;
@@ -285,8 +289,39 @@ inline bool Feature_graph::runs_beside(const Chain& chain, const std::vector<Vec
   return double(beside) > PARALLEL_SHARE * double(looked_at);
 }
 
-// Strongest first, chains are accepted unless they run beside an accepted one or the border, or leave a vertex in nearly
-// the same direction as an accepted one.
+// Whether more than a quarter of a chain runs beside another part of it, as around a slit.
+inline bool Feature_graph::runs_beside_itself(const Chain& chain) const
+{
+  const double distance = PARALLEL_DISTANCE * length_;
+  const std::array<Index, 2>& first = edges_[chain.edges.front()].ends;
+  const auto has_end = [&](Index e, Index u) { return edges_[e].ends[0] == u || edges_[e].ends[1] == u; };
+  Index v = chain.edges.size() == 1 || has_end(chain.edges[1], first[1]) ? first[0] : first[1];
+  std::vector<std::pair<Vector3, double>> samples;          // with their arc lengths
+  double arc_length = 0;
+  for (const Index e : chain.edges) {
+    const Vector3& p = position(v);
+    v = other_end(e, v);
+    for_each_sample(p, position(v), [&](const Vector3& q) { samples.emplace_back(q, arc_length + internal::length(q - p)); });
+    arc_length += edges_[e].length;
+  }
+  Point_grid grid(distance);
+  for (std::size_t i = 0; i < samples.size(); ++i) grid.insert(samples[i].first, int(i));
+  std::size_t beside = 0;
+  for (const auto& [p, s] : samples) {
+    bool is_beside = false;
+    const Vector3 reach{distance, distance, distance};
+    grid.for_each_in_box(p - reach, p + reach, [&, &p = p, s = s](int i) {
+      double along = std::abs(samples[i].second - s);
+      if (chain.ends[0] < 0) along = (std::min)(along, arc_length - along);
+      is_beside = is_beside || (along > ALONG * distance && squared_distance(samples[i].first, p) < distance * distance);
+    });
+    beside += is_beside;
+  }
+  return double(beside) > PARALLEL_SHARE * double(samples.size());
+}
+
+// Strongest first, chains are accepted unless they run beside an accepted one, the border or themselves, or leave a vertex in
+// nearly the same direction as an accepted one.
 inline void Feature_graph::drop_parallel_chains()
 {
   Point_grid accepted(PARALLEL_DISTANCE * length_);
@@ -308,7 +343,7 @@ inline void Feature_graph::drop_parallel_chains()
       return std::any_of(directions[f.first].begin(), directions[f.first].end(), [&](const Vector3& d) {
         return is_cosine_at_least(d, f.second, ACUTE_COSINE); });
     });
-    if (is_acute || runs_beside(chain, points, accepted)) { drop(chain.edges); continue; }
+    if (is_acute || runs_beside(chain, points, accepted) || runs_beside_itself(chain)) { drop(chain.edges); continue; }
     for (const auto& [v, d] : first) directions[v].push_back(d);
     for (const Vector3& p : points) accepted.insert(p);
   }
