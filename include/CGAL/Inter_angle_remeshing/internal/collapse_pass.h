@@ -187,7 +187,8 @@ inline bool is_collapse_allowed(const Remeshing_context& context, Remeshing_mesh
 // The half-edge whose source is to be merged into its target, for the edge of h; NO_COLLAPSE where neither may be.
 constexpr Remeshing_mesh::Index NO_COLLAPSE = (std::numeric_limits<Remeshing_mesh::Index>::min)();
 
-inline Remeshing_mesh::Index choose_collapse(const Remeshing_context& context, Remeshing_mesh::Index h, const Collapse_limits& limits)
+inline Remeshing_mesh::Index choose_collapse(const Remeshing_context& context, Remeshing_mesh::Index h,
+                                             const Collapse_limits& limits)
 {
   using Index = Remeshing_mesh::Index;
   const Remeshing_mesh& mesh = context.mesh;

@@ -178,7 +178,8 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
     if constexpr (Has_mls_surface<Functor>::value) projection.mls = &functor.mls_surface();
     return run(projection);
   } else if constexpr (std::is_invocable_r<Point_3, const Functor&, const Point_3&>::value)
-    return run_with_rule(mesh.unit(), true, [&](const Vector3& p) { return to_vector3(Point_3(functor(Point_3(p.x, p.y, p.z)))); }, run);
+    return run_with_rule(mesh.unit(), true, [&](const Vector3& p) {
+      return to_vector3(Point_3(functor(Point_3(p.x, p.y, p.z)))); }, run);
   else {
     static_assert(std::is_invocable_r<Point_3, const Functor&, Vertex>::value,
                   "projection_functor: expected a functor `Point_3 operator()(vertex_descriptor) const`, as in "

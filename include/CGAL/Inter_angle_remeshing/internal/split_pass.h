@@ -64,7 +64,8 @@ void project_split_vertices(Remeshing_context& context, const std::vector<Split_
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
   std::vector<Vector3> projected(split.size());
-  for_each_block_if<ConcurrencyTag>(context.projector.is_concurrent, split.size(), PROJECTION_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
+  for_each_block_if<ConcurrencyTag>(context.projector.is_concurrent, split.size(), PROJECTION_BLOCK,
+                                    [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
       const Index v = split[i].vertex;
       const Vector3& q = mesh.position(v);
