@@ -81,4 +81,31 @@ public:
   /// called for each of these vertices after the pass, whether it has moved or not.
   template <class Vertex, class Mesh>
   void after_move(Vertex v, const Mesh& mesh);
+
+  /// \name Attributes
+  ///
+  /// These members may be missing: those about vertices, those about faces, or all. `Vertex` and `Face` are descriptors of the user's
+  /// mesh. Readers are called when the remesher is done, and the user's mesh still is the input; writers when it is the result.
+  /// An exception that a writer throws leaves the result as it is. Elements are numbered from 0, and come in this order.
+  /// `CGAL::Inter_angle_remeshing::Attribute_transfer` is a model that has them.
+  /// @{
+
+  /// called for vertex number `i` of the result, which lies on the face of the input with these corners and has these barycentric
+  /// coordinates there. For a vertex of the input that has not moved, all three are that vertex, and the coordinates 1, 0, 0.
+  template <class Vertex>
+  void read_vertex(std::size_t i, const std::array<Vertex, 3>& corners, const std::array<double, 3>& coordinates);
+
+  /// called for face number `i` of the result, whose centroid lies on face `f` of the input, in the same patch.
+  template <class Face>
+  void read_face(std::size_t i, Face f);
+
+  /// called for vertex number `i` of the result, which is `v` now.
+  template <class Vertex>
+  void write_vertex(std::size_t i, Vertex v);
+
+  /// called for face number `i` of the result, which is `f` now.
+  template <class Face>
+  void write_face(std::size_t i, Face f);
+
+  /// @}
 };

@@ -32,7 +32,8 @@ enum class Pass
 /*!
 \ingroup PkgInterAngleRemeshingRef
 
-@brief a visitor that does nothing; derive from it and hide the members of interest.
+@brief a visitor that does nothing; derive from it and hide the members of interest, or add those about attributes (see
+`RemeshingVisitor`).
 
 The mesh that a visitor sees is a model of `FaceGraph`, the one that the remesher works on inside; its vertex points
 are `get(CGAL::vertex_point, mesh)`, in the user's units. Descriptors of it hold until the next operation.

@@ -164,7 +164,8 @@ number of faces of the range and of the result, per iteration.
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{told about every pass and operation; handed over by `std::ref` where it has a state}
+    \cgalParamDescription{told about every pass and operation, and where on the input each vertex and face of the result comes from,
+                          see `Attribute_transfer`; handed over by `std::ref` where it has a state}
     \cgalParamType{a model of `RemeshingVisitor`}
     \cgalParamDefault{`Default_visitor`}
   \cgalParamNEnd
@@ -231,7 +232,7 @@ Remeshing_report isotropic_remeshing(const FaceRange& faces, const Length& lengt
   auto visitor = internal::visitor_from(given_visitor);
 
   internal::Remeshing_parameters<decltype(vpm), decltype(ecm), decltype(vcm), decltype(fpm), decltype(split),
-                                 decltype(collapse), decltype(flip), decltype(projection)>
+                                 decltype(collapse), decltype(flip), decltype(projection), decltype(visitor)>
     parameters{vpm, ecm, vcm, fpm, split, collapse, flip, projection, visitor, recipe,
                internal::Schedule{internal::count_from(choose_parameter(get_parameter(np, tags::number_of_iterations), 10u),
                                                     "number_of_iterations"), 0,

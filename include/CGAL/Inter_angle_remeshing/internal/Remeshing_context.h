@@ -37,6 +37,7 @@ struct Remeshing_context
 
   bool may_subdivide;                  // no rule of the user's says which edges are split, collapsed or flipped
   const Sizing& sizing;
+  const Input_locator* locator;        // null where nobody asks for places
   double grading_rate;                 // at curves; 0: their short edges do not lower the target length
   Grading grading;
 
@@ -46,7 +47,7 @@ struct Remeshing_context
   void measure_grading()
   {
     if (!is_graded()) return;
-    grading.read<ConcurrencyTag>(mesh, sizing, target_length);
+    grading.read<ConcurrencyTag>(mesh, sizing, locator, target_length);
     if (grading_rate > 0) grading.sink(mesh, target_length, grading_rate);
   }
   // The target length that the sizing field has at a vertex, and on an edge.

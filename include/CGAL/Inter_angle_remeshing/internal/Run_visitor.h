@@ -44,6 +44,8 @@ class User_visitor final : public Run_visitor
 public:
   explicit User_visitor(Visitor& visitor) : visitor_(visitor) {}
 
+  Visitor& user() { return visitor_; }
+
   bool listens() const override { return true; }
 
   void start_iteration(unsigned i, const Remeshing_mesh& mesh) override { visitor_.start_iteration(i, mesh); }

@@ -46,13 +46,13 @@ public:
 
   // Takes the parts of all vertices from the field, or 1 where it is uniform; see `sink()` for the curves.
   template <class ConcurrencyTag>
-  void read(const Remeshing_mesh& mesh, const Sizing& sizing, double target_length)
+  void read(const Remeshing_mesh& mesh, const Sizing& sizing, const Input_locator* locator, double target_length)
   {
     part_.assign(mesh.number_of_vertex_slots(), 1);
     if (sizing.is_uniform()) return;
     for_each_block<ConcurrencyTag>(part_.size(), SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (Index v = Index(begin); v < Index(end); ++v)
-        if (mesh.is_vertex(v)) part_[v] = float(sizing.part_at(mesh, v));
+        if (mesh.is_vertex(v)) part_[v] = float(sizing.part_at(mesh, v, locator));
     });
     std::vector<Index> all;
     for (Index v = 0; v < Index(part_.size()); ++v)

@@ -45,6 +45,7 @@ public:
       copy_(Flat_copy_builder<TriangleMesh, VertexPointMap>(tmesh, vpm, caller).build(range))
   {}
 
+  const VertexPointMap& vertex_points() const { return vpm_; }
   // The user's vertices, by their number in the input.
   const std::vector<vertex_descriptor>& input_vertices() const { return copy_.vertices; }
 
@@ -85,7 +86,8 @@ public:
     remove_the_rest();
   }
 
-  // After write(): the user's half-edge of h, and the user's face of f.
+  // After write(): the user's vertex of v, the user's half-edge of h, and the user's face of f.
+  vertex_descriptor written_vertex(Index v) const { return vertex_of_[v]; }
   halfedge_descriptor written_halfedge(Index h) const { return halfedge_of_[3 * (h >> 2) + (h & 3)]; }
   face_descriptor written_face(Index f) const { return copy_.faces[f]; }
 

@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESH_RANGE_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Remesher.h>
+#include <CGAL/Inter_angle_remeshing/internal/attribute_exchange.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
 #include <CGAL/Inter_angle_remeshing/internal/corners.h>
 #include <CGAL/Inter_angle_remeshing/internal/feature_detection.h>
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -32,7 +34,7 @@ namespace internal {
 
 // Everything that isotropic_remeshing() reads from its named parameters.
 template <class VertexPointMap, class EdgeIsConstrainedMap, class VertexIsConstrainedMap, class PatchMap,
-          class SplitPolicy, class CollapsePolicy, class FlipPolicy, class ProjectionFunctor>
+          class SplitPolicy, class CollapsePolicy, class FlipPolicy, class ProjectionFunctor, class Visitor>
 struct Remeshing_parameters
 {
   VertexPointMap vertex_point_map;
@@ -43,7 +45,7 @@ struct Remeshing_parameters
   CollapsePolicy collapse_policy;
   FlipPolicy flip_policy;
   ProjectionFunctor projection_functor;
-  Run_visitor& visitor;
+  Visitor& visitor;                      // a Run_visitor
   Recipe recipe;
   Schedule schedule;
   Constraint_settings constraint_settings;
@@ -150,16 +152,19 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   const auto rule = [&](const auto& policy) {
     return make_edge_rule(policy, exchange.input_vertices(), boost::graph_traits<TriangleMesh>::null_vertex());
   };
+  Attribute_exchange attributes(parameters.visitor, exchange, tmesh);
   bool is_to_be_written = true;
   Remeshing_report report = run_with_projector(parameters, exchange, mesh, kind, curves, wanted, [&](const Projection& projector) {
-    wanted.sizing.attach(projector, mesh);
+    std::optional<Input_locator> locator;
+    if (wanted.sizing.needs_places() || attributes.are_carried()) locator.emplace(projector, mesh);
     Remeshing_context context{mesh, parameters.recipe, curves, rule(parameters.split_policy), rule(parameters.collapse_policy),
                               rule(parameters.flip_policy), projector, parameters.visitor, parameters.may_collapse_constraints,
-                              target, parameters.may_subdivide, wanted.sizing, kind.is_cad && wanted.sizing.is_uniform() ? parameters.recipe.grading : 0.,
+                              target, parameters.may_subdivide, wanted.sizing, locator ? &*locator : nullptr, kind.is_cad && wanted.sizing.is_uniform() ? parameters.recipe.grading : 0.,
                               Grading()};
     Remesher<ConcurrencyTag> remesher(context, parameters.schedule);
     const Remeshing_report result = remesher.run();
     is_to_be_written = remesher.is_at_finest_level();
+    if (is_to_be_written && attributes.are_carried()) attributes.read(mesh, *locator);
     return result;
   });
 
@@ -168,6 +173,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   if (!is_to_be_written) return report;
   exchange.write(mesh);
   write_constraints(exchange, mesh, tmesh, parameters.edge_is_constrained_map, parameters.face_patch_map, patches);
+  if (attributes.are_carried()) attributes.write(mesh);
   return report;
 }
 

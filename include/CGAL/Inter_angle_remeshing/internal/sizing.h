@@ -5,15 +5,12 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_SIZING_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SIZING_H
 
-#include <CGAL/Inter_angle_remeshing/internal/Mls_surface.h>
-#include <CGAL/Inter_angle_remeshing/internal/Reference_surface.h>
-#include <CGAL/Inter_angle_remeshing/internal/projection.h>
+#include <CGAL/Inter_angle_remeshing/internal/Input_locator.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 
 #include <array>
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -76,53 +73,26 @@ public:
     return is_uniform() ? 1. : (double(parts_[source][0]) + double(parts_[source][1]) + double(parts_[source][2])) / 3;
   }
 
-  // Looks vertices up on the projector's surface, if its faces are those of the input, which the mesh still is.
-  void attach(const Projection& projection, const Remeshing_mesh& mesh)
-  {
-    if (is_uniform() || function_) return;
-    if (projection.face_of_source == nullptr) {
-      input_ = std::make_shared<Reference_surface>(mesh);
-      return;
-    }
-    surface_ = projection.surface;
-    factor_ = projection.factor;
-    source_.assign(surface_->number_of_faces(), 0);
-    for (Index s = 0; s < Index(parts_.size()); ++s) source_[projection.face_of(s)] = s;
-  }
+  // Whether vertices must be looked up on the input.
+  bool needs_places() const { return !is_uniform() && !function_; }
 
-  // At vertex v of the mesh.
-  double part_at(const Remeshing_mesh& mesh, Index v) const
+  // At vertex v of the mesh; the locator may be missing where places are not needed.
+  double part_at(const Remeshing_mesh& mesh, Index v, const Input_locator* locator) const
   {
-    const Vector3& p = mesh.position(v);
     if (function_) {
-      const Vector3 place = unit_ * p;
+      const Vector3 place = unit_ * mesh.position(v);
       return checked_length(function_(place), place) / (unit_ * reference_length_);
     }
-    Index f = mesh.hint(v);
-    if (surface_ != nullptr) {
-      const Point_on_triangle c = surface_->closest_point_near(factor_ * p, f);
-      return on_face(*surface_, f, source_[f], c);
-    }
-    input_->locate(p, f);
-    return on_face(*input_, f, input_->face_record(f).source, closest_point_on_face(*input_, p, f));
+    const Input_place place = locator->place_of_vertex(mesh, v);
+    const auto& corner = parts_[place.source];
+    return place.coordinates[0] * double(corner[0]) + place.coordinates[1] * double(corner[1]) +
+           place.coordinates[2] * double(corner[2]);
   }
 
 private:
-  double on_face(const Reference_surface& surface, Index f, Index source, const Point_on_triangle& place) const
-  {
-    const auto& v = surface.face_record(f).vertex;
-    const std::array<double, 3> b = barycentric(place, surface.position(v[0]), surface.position(v[1]), surface.position(v[2]));
-    const auto& part = parts_[source];
-    return b[0] * double(part[0]) + b[1] * double(part[1]) + b[2] * double(part[2]);
-  }
-
   std::vector<std::array<float, 3>> parts_;           // by input face, at its corners
   Function function_;
   double reference_length_ = 0, unit_ = 1;
-  const Reference_surface* surface_ = nullptr;        // the projector's, a copy of the input
-  double factor_ = 1;                                 // from the mesh's units to the surface's
-  std::vector<Index> source_;                         // the input's faces by those of the surface
-  std::shared_ptr<const Reference_surface> input_;    // where the projector knows another surface, or none
 };
 
 } // namespace internal

@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Inter_angle_remeshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Target lengths that vary: functions of the position, sizing fields, the field of the curvature, and wanted numbers of faces
-// that scale one.
+// Fields over the surface. Target lengths that vary: functions of the position, sizing fields, the field of the curvature, and
+// wanted numbers of faces that scale one. Attributes that are carried over.
 
+#include <CGAL/Inter_angle_remeshing/Attribute_transfer.h>
 #include <CGAL/Inter_angle_remeshing/Curvature_sizing_field.h>
 #include <CGAL/Inter_angle_remeshing/Projection/Closest_point_projector.h>
 #include <CGAL/Inter_angle_remeshing/Uniform_sizing_field.h>
@@ -21,9 +22,11 @@
 #include "meshes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -374,6 +377,180 @@ void curves_follow_the_field()
   CHECK_MESSAGE(fitting >= .95 * ratios.size(), fitting << " of " << ratios.size());
 }
 
+// --- attributes --------------------------------------------------------------------------------------------------
+
+// A sum of spherical harmonics.
+double harmonic(const Point& p)
+{
+  const double r = std::sqrt(CGAL::squared_distance(p, Point(0, 0, 0))), x = p.x() / r, y = p.y() / r, z = p.z() / r;
+  return 3 * x * y * z + .5 * (5 * z * z * z - 3 * z) + x * x - y * y;
+}
+
+// The root mean square of the error of the values, linear on faces, over points on the faces; and at the vertices alone.
+struct Error
+{
+  double on_faces = 0, at_vertices = 0;
+};
+
+Error error(const Mesh& m, Mesh::Property_map<Vertex, double> value)
+{
+  Error result;
+  double area = 0;
+  for(const Face f : m.faces())
+  {
+    std::array<Vertex, 3> v;
+    std::size_t n = 0;
+    for(const Vertex w : m.vertices_around_face(m.halfedge(f)))
+      v[n++] = w;
+    const double part = std::sqrt(CGAL::squared_area(m.point(v[0]), m.point(v[1]), m.point(v[2])));
+    for(int i = 1; i < 6; ++i)
+      for(int j = 1; i + j < 6; ++j)
+      {
+        const double a = i / 6., b = j / 6., c = 1 - a - b;
+        const Point q = CGAL::barycenter(m.point(v[0]), a, m.point(v[1]), b, m.point(v[2]), c);
+        const double e = a * value[v[0]] + b * value[v[1]] + c * value[v[2]] - harmonic(q);
+        result.on_faces += part * e * e;
+        area += part;
+      }
+  }
+  for(const Vertex v : m.vertices())
+    result.at_vertices += CGAL::square(value[v] - harmonic(m.point(v)));
+  result.on_faces = std::sqrt(result.on_faces / area);
+  result.at_vertices = std::sqrt(result.at_vertices / m.number_of_vertices());
+  return result;
+}
+
+// Values at the vertices of the result are as near to the truth as the input's are in between.
+void scalars_are_interpolated()
+{
+  const Mesh input = meshes::to_mesh<Mesh>(meshes::sphere(4));
+  for(const double factor : {.5, 1., 2.})
+  {
+    Mesh m = input;
+    const auto value = m.add_property_map<Vertex, double>("v:value", 0).first;
+    for(const Vertex v : m.vertices())
+      value[v] = harmonic(m.point(v));
+    const Error before = error(m, value);
+    IAR::Attribute_transfer<Mesh> transfer;
+    transfer.add_vertex_map(value);
+    IAR::isotropic_remeshing(factor * mean_edge_length(input), m, parameters::visitor(std::ref(transfer)));
+    const Error after = error(m, value);
+    CHECK_MESSAGE(after.at_vertices <= 1.5 * before.on_faces, factor << ": " << after.at_vertices << " " << before.on_faces);
+    if(factor < 1)
+      CHECK_MESSAGE(after.on_faces <= 1.5 * before.on_faces, factor << ": " << after.on_faces << " " << before.on_faces);
+  }
+}
+
+// Linear functions of the position are carried over as exactly as the result lies on the input: in the plane, to rounding.
+void linear_functions_are_kept()
+{
+  Mesh m = meshes::to_mesh<Mesh>(meshes::square(7));
+  using Colour = std::array<float, 3>;
+  const auto colour = m.add_property_map<Vertex, Colour>("v:colour").first;
+  const auto vector = m.add_property_map<Vertex, Vector>("v:vector").first;
+  const auto texture = m.add_property_map<Vertex, Kernel::Point_2>("v:texture").first;
+  const auto id = m.add_property_map<Vertex, int>("v:id", -1).first;
+  for(const Vertex v : m.vertices())
+  {
+    const Point p = m.point(v);
+    colour[v] = {float(p.x()), float(p.y()), .5f};
+    vector[v] = Vector(p.y(), 2 * p.x(), 1);
+    texture[v] = Kernel::Point_2(3 * p.x(), p.y() - 1);
+    id[v] = p.x() < .5 ? 1 : 2;
+  }
+  IAR::Attribute_transfer<Mesh> transfer;
+  transfer.add_vertex_map(colour);
+  transfer.add_vertex_map(vector);
+  transfer.add_vertex_map(texture);
+  transfer.add_vertex_map(id, IAR::Nearest_value());
+  for(int run = 0; run < 2; ++run)     // the helper can be used again
+  {
+    IAR::isotropic_remeshing((run == 0 ? .4 : 1.7) * mean_edge_length(m), m, parameters::visitor(std::ref(transfer)));
+    for(const Vertex v : m.vertices())
+    {
+      const Point p = m.point(v);
+      CHECK(std::abs(colour[v][0] - p.x()) < 1e-5 && std::abs(colour[v][1] - p.y()) < 1e-5 && colour[v][2] == .5f);
+      CHECK(CGAL::squared_distance(CGAL::ORIGIN + vector[v], Point(p.y(), 2 * p.x(), 1)) < 1e-20);
+      CHECK(CGAL::squared_distance(texture[v], Kernel::Point_2(3 * p.x(), p.y() - 1)) < 1e-20);
+      CHECK(id[v] == 1 || id[v] == 2);
+      if(std::abs(p.x() - .5) > .2)
+        CHECK_MESSAGE(id[v] == (p.x() < .5 ? 1 : 2), p << ": " << id[v]);
+    }
+  }
+}
+
+// Faces take the attributes of where they lie; with patches, exactly. Vertices that stay keep their values to the last bit.
+void faces_and_kept_vertices()
+{
+  Mesh m = meshes::to_mesh<Mesh>(meshes::cube(6));
+  const auto side = m.add_property_map<Face, std::string>("f:side").first;
+  const auto name_of = [](const Vector& n) {
+    return std::string(std::abs(n.x()) > .5 ? "x" : std::abs(n.y()) > .5 ? "y" : "z") + (n.x() + n.y() + n.z() > 0 ? "+" : "-");
+  };
+  for(const Face f : m.faces())
+    side[f] = name_of(normal(f, m));
+  const auto value = m.add_property_map<Vertex, double>("v:value", 0).first;
+  const auto is_kept = m.add_property_map<Vertex, bool>("v:kept", false).first;
+  std::mt19937 random(3);
+  std::map<Vertex, double> kept;
+  for(const Vertex v : m.vertices())
+  {
+    value[v] = std::uniform_real_distribution<double>(0, 1)(random);
+    if(random() % 5 == 0)
+    {
+      is_kept[v] = true;
+      kept[v] = value[v];
+    }
+  }
+  IAR::Attribute_transfer<Mesh> transfer;
+  transfer.add_face_map(side);
+  transfer.add_vertex_map(value);
+  IAR::isotropic_remeshing(.7 * mean_edge_length(m), m, parameters::visitor(std::ref(transfer)).vertex_is_constrained_map(is_kept));
+  for(const Face f : m.faces())
+    CHECK_MESSAGE(side[f] == name_of(normal(f, m)), side[f]);
+  for(const auto& [v, x] : kept)
+    CHECK(!m.is_removed(v) && value[v] == x);
+  for(const Vertex v : m.vertices())
+    CHECK(value[v] >= 0 && value[v] <= 1);
+}
+
+// With a projector of the user's, or none, the input is asked all the same.
+void attributes_with_every_projector()
+{
+  const Mesh input = meshes::to_mesh<Mesh>(meshes::sphere(3));
+  const auto run = [&](const auto& np) {
+    Mesh m = input;
+    const auto place = m.add_property_map<Vertex, Point>("v:place").first;
+    for(const Vertex v : m.vertices())
+      place[v] = m.point(v);
+    IAR::Attribute_transfer<Mesh> transfer;
+    transfer.add_vertex_map(place);
+    IAR::isotropic_remeshing(.8 * mean_edge_length(input), m, np.visitor(std::ref(transfer)));
+    for(const Vertex v : m.vertices())
+      CHECK_MESSAGE(CGAL::squared_distance(place[v], m.point(v)) < CGAL::square(.25 * mean_edge_length(input)), place[v] << " " << m.point(v));
+  };
+  run(parameters::do_project(true));
+  run(parameters::do_project(false));
+  run(parameters::projection_functor([](const Point& p) { return p; }));
+  const IAR::Closest_point_projector<Mesh> projector(input);
+  run(parameters::projection_functor(std::ref(projector)));
+}
+
+// Whatever throws while values are read leaves mesh and maps as they were.
+void nothing_is_lost()
+{
+  const Mesh input = meshes::to_mesh<Mesh>(meshes::sphere(2));
+  Mesh m = input;
+  const auto value = m.add_property_map<Vertex, double>("v:value", 1).first;
+  IAR::Attribute_transfer<Mesh> transfer;
+  transfer.add_vertex_map(value, [](const std::array<double, 3>&, const std::array<double, 3>&) -> double {
+    throw std::runtime_error("cannot be mixed"); });
+  CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing(.1, m, parameters::visitor(std::ref(transfer))), std::runtime_error, "cannot be mixed");
+  CHECK(meshes::Picture<Mesh>(m) == meshes::Picture<Mesh>(input));
+  for(const Vertex v : m.vertices())
+    CHECK(value[v] == 1);
+}
+
 int main()
 {
   functions_of_the_position_are_followed();
@@ -390,5 +567,10 @@ int main()
 #endif
   bad_lengths_are_refused();
   curves_follow_the_field();
+  scalars_are_interpolated();
+  linear_functions_are_kept();
+  faces_and_kept_vertices();
+  attributes_with_every_projector();
+  nothing_is_lost();
   return result();
 }
