@@ -114,6 +114,7 @@ public:
 
   /// \name Called by the remesher
   /// @{
+
   /// reads what vertex number `i` of the result is to have.
   void read_vertex(std::size_t i, const std::array<vertex_descriptor, 3>& corners, const std::array<double, 3>& coordinates)
   {

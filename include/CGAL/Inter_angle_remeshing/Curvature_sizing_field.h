@@ -47,7 +47,7 @@ cancels out. The field knows the vertices of the range as it was constructed, an
 
 Complexity: linear in the number of faces, times log of it.
 
-\cgalModels{PMPSizingField}
+\cgalModels `PMPSizingField`
 
 @tparam TriangleMesh a model of `FaceGraph`
 */

@@ -17,7 +17,7 @@ namespace Inter_angle_remeshing {
 
 For code that is written for sizing fields; `CGAL::Polygon_mesh_processing::Uniform_sizing_field` of \cgal 6 is taken as well.
 
-\cgalModels{PMPSizingField}
+\cgalModels `PMPSizingField`
 
 @tparam TriangleMesh a model of `FaceGraph`
 */
