@@ -90,7 +90,8 @@ private:
 
   bool permits(const Edge_rule& rule, Index h, bool is_transient) const
   {
-    return rule(mesh, mesh.unit() * length_at(mesh.origin(h), mesh.target(h)), h, is_transient);
+    const Index side = h >= 0 ? h : ~h;      // of a border side, the other one
+    return rule(mesh, mesh.unit() * length_at(mesh.origin(side), mesh.target(side)), h, is_transient);
   }
 };
 
