@@ -10,6 +10,9 @@
 namespace CGAL {
 namespace Inter_angle_remeshing {
 
+template <class SizingField>
+struct Scaled_sizing_field;
+
 /*!
 \ingroup PkgInterAngleRemeshingRef
 
@@ -26,9 +29,32 @@ struct Face_count
   /// @param n the wanted number of faces
   explicit Face_count(std::size_t n) : value(n) {}
 
+  /// the same number of faces, sized by a field: its lengths are multiplied by the one factor that yields so many.
+  /// @param field what `isotropic_remeshing()` takes in place of a length: a model of `PMPSizingField` or a function of the
+  ///        position; it is copied, hand it over by `std::ref` if that is dear
+  template <class SizingField>
+  Scaled_sizing_field<SizingField> scaling(const SizingField& field) const;
+
   /// the wanted number of faces
   std::size_t value;
 };
+
+/*!
+\ingroup PkgInterAngleRemeshingRef
+
+@brief a sizing field whose lengths are scaled such that a wanted number of faces results; made by `Face_count::scaling()`.
+*/
+template <class SizingField>
+struct Scaled_sizing_field
+{
+  /// the wanted number of faces
+  Face_count count;
+  /// the field
+  SizingField field;
+};
+
+template <class SizingField>
+Scaled_sizing_field<SizingField> Face_count::scaling(const SizingField& field) const { return {*this, field}; }
 
 } // namespace Inter_angle_remeshing
 } // namespace CGAL

@@ -209,13 +209,13 @@ Remeshing_report isotropic_remeshing(const FaceRange& faces, const Length& lengt
   namespace tags = CGAL::internal_np;
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  internal::check_length_type<Length>();
   internal::refuse_unsupported<CGAL_NP_CLASS>();
   const Recipe recipe = choose_parameter(get_parameter(np, internal::recipe_tag), Recipe());
   const auto make_policy = [](const auto& given, const auto& preset) {
     return internal::policy_from<Vertex>(given, preset);
   };
   auto vpm = choose_parameter(get_parameter(np, tags::vertex_point), get_property_map(CGAL::vertex_point, tmesh));
+  internal::check_length_type<Length, TriangleMesh, typename boost::property_traits<decltype(vpm)>::value_type>();
   auto ecm = internal::or_no_map(get_parameter(np, tags::edge_is_constrained));
   auto vcm = internal::or_no_map(get_parameter(np, tags::vertex_is_constrained));
   auto fpm = internal::or_no_map(get_parameter(np, tags::face_patch));

@@ -39,8 +39,8 @@ class Angle_descent
   static constexpr double ENOUGH = 0.99;
 
 public:
-  Angle_descent(Remeshing_context& context, double length)
-    : context_(context), mesh_(context.mesh), length_(length), bands_(context.recipe, LOWER_MARGIN, UPPER_MARGIN)
+  explicit Angle_descent(Remeshing_context& context)
+    : context_(context), mesh_(context.mesh), bands_(context.recipe, LOWER_MARGIN, UPPER_MARGIN)
   {}
 
   const Angle_bands& bands() const { return bands_; }
@@ -112,7 +112,7 @@ private:
     const double slope = internal::length(g);
     if (!(slope > 0)) return false;
     const Vector3 offset = offset_of(v, normal, l);
-    double step = (std::min)(LONGEST_STEP * length_, STEP_FACTOR * before.energy / slope);
+    double step = (std::min)(LONGEST_STEP * length_at(v), STEP_FACTOR * before.energy / slope);
     for (int trial = 0; trial < TRIALS; ++trial, step *= BACKTRACK) {
       Index hint = mesh_.hint(v);
       const Vector3 q = context_.projector(p - (step / slope) * g, hint) + offset;
@@ -148,15 +148,15 @@ private:
     const Vector3 g = star_.gradient(p);
     double low = mesh_.arc_length(ends[0] ^ 1) - t, high = mesh_.arc_length(ends[1] ^ 1) - mesh_.arc_length(ends[1]);
     if (low > high) std::swap(low, high);
-    const double d = DIFFERENCE * length_;
+    const double d = DIFFERENCE * length_at(v);
     const double slope = dot(g, context_.curves.point(curve, t + d) - context_.curves.point(curve, t - d)) / (2 * d);
     if (!(slope != 0)) return false;
-    double step = (std::min)(LONGEST_STEP * length_, STEP_FACTOR * before.energy / std::abs(slope));
+    double step = (std::min)(LONGEST_STEP * length_at(v), STEP_FACTOR * before.energy / std::abs(slope));
     for (int trial = 0; trial < TRIALS; ++trial, step *= BACKTRACK) {
       const double shift = slope > 0 ? -step : step;
       if (!(shift > low / 2 && shift < high / 2)) continue;
       const Vector3 q = context_.curves.point(curve, t + shift);
-      if (!is_better(before, ENOUGH * before.energy, p, q) || leaves_curve(ends, shift, q)) continue;
+      if (!is_better(before, ENOUGH * before.energy, p, q) || leaves_curve(v, ends, shift, q)) continue;
       for (const Index end : ends) mesh_.arc_length(end) += shift;
       mesh_.position(v) = q;
       return true;
@@ -164,20 +164,21 @@ private:
     return false;
   }
 
-  // Whether one of the two chords at a vertex of a curve would lie too far from it if the vertex moved to q.
-  bool leaves_curve(const std::array<Index, 2>& ends, double shift, const Vector3& q) const
+  // Whether one of the two chords at vertex v of a curve would lie too far from it if the vertex moved to q.
+  bool leaves_curve(Index v, const std::array<Index, 2>& ends, double shift, const Vector3& q) const
   {
     return std::any_of(ends.begin(), ends.end(), [&](Index end) {
       const Index curve = mesh_.curve_of(end);
       const double t = mesh_.arc_length(end ^ 1);
       return context_.curves.deviation(curve, mesh_.arc_length(end) + shift, t, q, context_.curves.point(curve, t)) >
-             CURVE_TOLERANCE * length_;
+             CURVE_TOLERANCE * length_at(v);
     });
   }
 
+  double length_at(Index v) const { return context_.length_at(v); }
+
   Remeshing_context& context_;
   Remeshing_mesh& mesh_;
-  double length_;
   Angle_bands bands_;                    // narrower than those asked for
   Star_energy star_;                     // of the vertex that is looked at
 };

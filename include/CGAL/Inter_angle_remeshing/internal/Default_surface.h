@@ -10,7 +10,9 @@
 #include <CGAL/Inter_angle_remeshing/internal/Mls_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/feature_detection.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
+#include <CGAL/Inter_angle_remeshing/internal/sizing.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -46,26 +48,35 @@ struct Default_surface
   static constexpr double FACET_RATIO = 2, SMOOTH_RATIO = 3;
   static constexpr double LEAST_SHARE = 0.05;       // of the area
 
-  Default_surface(const Remeshing_mesh& mesh, double target, const Input_kind& kind)
+  Default_surface(const Remeshing_mesh& mesh, double target, const Sizing& sizing, const Input_kind& kind)
     : facets(mesh), face_of_source(faces_by_source(facets)), target_length(target)
   {
     if (!(target > 0) || kind.is_cad) return;
+    float smallest_part = 1;
+    if (!sizing.is_uniform()) {
+      for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()); ++f)
+        parts.push_back(float(sizing.part_of_face(facets.face_record(f).source)));
+      smallest_part = *std::min_element(parts.begin(), parts.end());
+    }
     double all = 0, long_ones = 0;
     for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()); ++f) {
       const double area = length(facets.cross_product(f));
       all += area;
-      if (mean_edge_length(facets, f) > FACET_RATIO * target) long_ones += area;
+      if (mean_edge_length(facets, f) > FACET_RATIO * target * part(f)) long_ones += area;
     }
     if (!(long_ones > LEAST_SHARE * all)) return;
     const std::vector<Remeshing_mesh::Index> creases =
       kind.has_found_features ? std::vector<Remeshing_mesh::Index>() : find_features(mesh);
-    smooth.emplace(facets, creases, FACET_RATIO * target);
+    smooth.emplace(facets, creases, FACET_RATIO * target * double(smallest_part));
   }
   Default_surface(const Default_surface&) = delete;     // `smooth` refers to `facets`
   Default_surface& operator=(const Default_surface&) = delete;
   Projection projection() const
   {
-    return {&facets, 1, smooth ? &*smooth : nullptr, FACET_RATIO * target_length, SMOOTH_RATIO * target_length, nullptr, &face_of_source};
+    Projection result{&facets, 1, smooth ? &*smooth : nullptr, FACET_RATIO * target_length, SMOOTH_RATIO * target_length};
+    if (!parts.empty()) result.parts = &parts;
+    result.face_of_source = &face_of_source;
+    return result;
   }
 
   // Bends the curves of the mesh into those of the surface, where the mesh as a whole is refined by so much: a border is
@@ -76,8 +87,8 @@ struct Default_surface
     const Projection blend = projection();
     curves.bend([&](Remeshing_mesh::Index h) {
       const Remeshing_mesh::Index o = facets.opposite(h);
-      double share = blend.share_of_mls(smooth->mean_edge_length(h >> 2));
-      if (o >= 0) share = (share + blend.share_of_mls(smooth->mean_edge_length(o >> 2))) / 2;
+      double share = blend.share_of_mls(blend.facet_size(h >> 2));
+      if (o >= 0) share = (share + blend.share_of_mls(blend.facet_size(o >> 2))) / 2;
       if (mesh.is_constrained(h) && !kind.has_found_features) return std::array<Vector3, 2>{};
       std::array<Vector3, 2> offsets = smooth->curve_offsets(h);
       for (Vector3& d : offsets) d = share * d;
@@ -93,15 +104,19 @@ struct Default_surface
     for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()); ++f) {
       const double area = length(facets.cross_product(f)) / 2;
       flat += area;
-      curved += smooth->mean_edge_length(f) > FACET_RATIO * target_length ? smooth->area(f) : area;
+      curved += smooth->mean_edge_length(f) > FACET_RATIO * target_length * part(f) ? smooth->area(f) : area;
     }
     return curved / flat;
   }
+
+  // Of the target length, on face f.
+  double part(Remeshing_mesh::Index f) const { return parts.empty() ? 1. : double(parts[f]); }
 
   Reference_surface facets;
   std::vector<Remeshing_mesh::Index> face_of_source;
   std::optional<Mls_surface> smooth;
   double target_length;
+  std::vector<float> parts;      // by face; empty: uniform
 };
 
 } // namespace internal

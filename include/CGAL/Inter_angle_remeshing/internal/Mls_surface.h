@@ -82,6 +82,10 @@ public:
   }
   bool is_feature(Index h) const { return (faces_[h >> 2].features >> (h & 3) & 1) != 0; }
   double mean_edge_length(Index f) const { return lengths_[f]; }
+  // The smooth part of the surface around corner k of face f, between features, and its unit normal there; -1: none.
+  Index sector(Index f, int k) const { return faces_[f].sector[k]; }
+  const Vector3& sector_normal(Index s) const { return normals_[s]; }
+  std::size_t number_of_sectors() const { return normals_.size(); }
 
   // Bounds, in mean edge lengths of the face: of the distance from P(b) to the face, and from P(b) to a projection.
   static constexpr double LARGEST_OFFSET = 0.15, LARGEST_STEP = 0.3;
@@ -106,8 +110,8 @@ private:
 
   Vector3 corner_normal(Index f, int k) const
   {
-    const Index s = faces_[f].sector[k];
-    return s < 0 ? Vector3() : normals_[s];
+    const Index s = sector(f, k);
+    return s < 0 ? Vector3() : sector_normal(s);
   }
   const Vector3& corner(Index f, int k) const { return surface_->position(surface_->face_record(f).vertex[k]); }
 

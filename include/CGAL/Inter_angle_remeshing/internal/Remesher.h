@@ -56,7 +56,7 @@ class Remesher
 public:
   Remesher(Remeshing_context& context, const Schedule& schedule)
     : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule),
-      relaxation_(context.recipe, context.curves),
+      relaxation_(context.recipe, context.curves, context.grading),
       last_iteration_(schedule.iterations), wanted_faces_(schedule.wanted_faces)
   {}
 
@@ -105,7 +105,7 @@ private:
   // Levels pay where the faces that come out of the iterations can be cut into four as they are.
   void choose_levels()
   {
-    if (!recipe_.multi_level || !context_.may_subdivide || recipe_.sweeps == 0 || context_.grading_rate > 0 ||
+    if (!recipe_.multi_level || !context_.may_subdivide || recipe_.sweeps == 0 || context_.is_graded() ||
         has_protected_edges()) return;
     const Coarse_levels coarse_levels = Coarse_levels::measure<ConcurrencyTag>(mesh_, context_.target_length);
     levels_ = stages_ = coarse_levels.number(context_.target_length);
@@ -224,7 +224,8 @@ private:
   int halvings_to_do() const
   {
     if (!(context_.target_length > 0) || context_.split_rule.is_never()) return 0;
-    const double ratio = std::sqrt(squared_longest_edge(mesh_) / context_.squared_length_limit());
+    const double ratio = longest_edge_in_targets(mesh_, [&](Index u, Index v) { return context_.length_at(u, v); }) /
+                         recipe_.split_ratio;
     return ratio > 2 ? 1 + int(std::log2(ratio)) : 0;
   }
 
@@ -237,7 +238,7 @@ private:
     const double high = context_.split_rule.is_never() ? inf : context_.squared_length_limit() * (widening * widening);
     std::vector<Remeshing_mesh::Index> long_edges, short_edges;
     std::size_t splits = 0;
-    if (context_.grading_rate > 0) context_.grading.measure(mesh_, context_.target_length, context_.grading_rate);
+    context_.template measure_grading<ConcurrencyTag>();
     run_pass(Pass::split, report_.splits, [&]() {
       if (context_.grading.is_uniform()) {
         for (const Remeshing_mesh::Index h : edges_out_of<ConcurrencyTag>(mesh_, low, high))
@@ -315,12 +316,12 @@ private:
 
   void clean_up()
   {
-    if (context_.grading_rate > 0) context_.grading.measure(mesh_, context_.target_length, context_.grading_rate);
+    context_.template measure_grading<ConcurrencyTag>();
     mend_valences();
     if (goes_on() && stages_ > 0) mend_spots();
     if (goes_on()) fit();
     if (goes_on()) polish();
-    Repairer repairer(context_, context_.target_length);
+    Repairer repairer(context_);
     repair(repairer);
     if (goes_on() && lower_distances() > 0) repair(repairer);
   }
@@ -338,7 +339,7 @@ private:
     std::size_t spots = 0;
     if (context_.projector.is_input() && recipe_.distance_tolerance > 0 && recipe_.sweeps > 0 && context_.target_length > 0 &&
         !is_finer_than_surface(context_, context_.target_length))
-      run_pass(Pass::distance, spots, [&]() { return distance_pass(context_, context_.target_length); });
+      run_pass(Pass::distance, spots, [&]() { return distance_pass(context_); });
     return spots;
   }
 
@@ -362,7 +363,7 @@ private:
   {
     std::size_t moves = 0;
     if (recipe_.sweeps > 0)
-      run_pass(Pass::polish, moves, [&]() { return polish_pass(context_, context_.target_length); });
+      run_pass(Pass::polish, moves, [&]() { return polish_pass(context_); });
   }
 
   void repair(Repairer& repairer)
@@ -412,6 +413,7 @@ private:
     const std::size_t fraction = faces < 100000 ? 4 : faces < 1000000 ? 8 : 32;
     if (operations - operations_in_order_ <= faces / fraction) return;
     mesh_.renumber<ConcurrencyTag>(morton_order(mesh_));
+    if (!context_.sizing.is_uniform()) context_.template measure_grading<ConcurrencyTag>();
     operations_in_order_ = operations;
   }
 
@@ -449,7 +451,7 @@ void Remesher<ConcurrencyTag>::steer_to_face_count(double first_target_length)
   static constexpr double NEAR = 1.3;
   if (wanted_faces_ == 0 || report_.iterations == 0 || is_late()) return;
   const double ratio = double(mesh_.number_of_live_faces()) / double(wanted_faces_);
-  if (context_.grading_rate > 0) {
+  if (context_.is_graded()) {
     // What grading and strips add, no table knows. Once the mesh has settled, the length takes it back step by step.
     constexpr unsigned FIRST_STEP = 3;
     constexpr double SMALLEST_STEP = 0.7, LARGEST_STEP = 1.6;

@@ -36,8 +36,26 @@ struct Remeshing_context
   double target_length;                // in the units of the flat mesh; 0: nothing is split or collapsed
 
   bool may_subdivide;                  // no rule of the user's says which edges are split, collapsed or flipped
-  double grading_rate;                 // 0: the target length is uniform
+  const Sizing& sizing;
+  double grading_rate;                 // at curves; 0: their short edges do not lower the target length
   Grading grading;
+
+  // Whether the target length differs from place to place.
+  bool is_graded() const { return grading_rate > 0 || !sizing.is_uniform(); }
+  template <class ConcurrencyTag>
+  void measure_grading()
+  {
+    if (!is_graded()) return;
+    grading.read<ConcurrencyTag>(mesh, sizing, target_length);
+    if (grading_rate > 0) grading.sink(mesh, target_length, grading_rate);
+  }
+  // The target length that the sizing field has at a vertex, and on an edge.
+  double length_at(Index v) const { return grading.has_field() ? target_length * grading.field_part(v) : target_length; }
+  double length_at(Index u, Index v) const
+  {
+    return grading.has_field() ? target_length * grading.field_part(u, v) : target_length;
+  }
+  double largest_length() const { return target_length * grading.largest_field_part(); }
 
   // The longest and the shortest that an edge between u and v, not on a curve, may be; squared.
   double squared_length_limit(Index u, Index v) const
@@ -71,7 +89,7 @@ private:
 
   bool permits(const Edge_rule& rule, Index h, bool is_transient) const
   {
-    return rule(mesh, mesh.unit() * target_length, h, is_transient);
+    return rule(mesh, mesh.unit() * length_at(mesh.origin(h), mesh.target(h)), h, is_transient);
   }
 };
 

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// What a collapse must not do, in the units of the flat mesh.
+// What a collapse must not do, in the units of the flat mesh; lengths where the target length is that of the run.
 struct Collapse_limits
 {
   double squared_length;       // of a new edge
@@ -55,7 +55,7 @@ inline bool keeps_curve(const Remeshing_context& context, Remeshing_mesh::Index 
   if (squared_distance(p, q) > limit * limit) return false;
   const Remeshing_mesh::Curve_place removed = mesh.curve_place(h), rest = mesh.curve_place(beyond);
   return context.curves.deviation(removed.curve, removed.target, removed.origin + rest.target - rest.origin, p, q) <=
-         CURVE_TOLERANCE * context.target_length;
+         CURVE_TOLERANCE * context.length_at(a);
 }
 
 // Whether no new edge at h's target is too long. The neighbors of a free source other than the target and the two
@@ -95,6 +95,7 @@ inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h,
   using Index = Remeshing_mesh::Index;
   const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
   const Vector3 p = mesh.position(a), q = mesh.position(b);
+  const double part = grading.field_part(a), squared_tolerance = part * part * limits.squared_tolerance;
   if (!has_short_edges_after_collapse(mesh, h, grading, limits)) return false;
   bool is_near = mesh.is_on_curve(a);     // what a curve may lose, keeps_curve() says
   const bool turns_no_face = mesh.all_around(a, [&](Index k) {
@@ -106,7 +107,7 @@ inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h,
                              ? dot(after, star_cross_product(mesh, a)) < 0      // it had no normal to compare with
                              : !is_cosine_at_least(before, after, COLLAPSE_NORMAL_COSINE);
     if (is_turned) return false;
-    is_near = is_near || squared_distance(closest_point_on_triangle(p, q, r, s).point, p) <= limits.squared_tolerance;
+    is_near = is_near || squared_distance(closest_point_on_triangle(p, q, r, s).point, p) <= squared_tolerance;
     return true;
   });
   return turns_no_face && is_near;

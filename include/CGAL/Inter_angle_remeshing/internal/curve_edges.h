@@ -32,7 +32,8 @@ constexpr double STRIP_ASPECT = 2, SHORTEST_IN_STRIP = 0.3, THINNEST_STRIP = 0.0
 inline double target_on_curve(const Remeshing_context& context, Remeshing_mesh::Index h)
 {
   const Remeshing_mesh& mesh = context.mesh;
-  double target = context.target_length;
+  const double wanted = context.length_at(mesh.origin(h), mesh.target(h));
+  double target = wanted;
   for (const Remeshing_mesh::Index side : {h, mesh.opposite(h)}) {
     if (side < 0 || !mesh.is_on_curve(mesh.apex(side)) || mesh.is_on_curve_edge(mesh.next(side)) ||
         mesh.is_on_curve_edge(mesh.prev(side))) continue;
@@ -40,8 +41,8 @@ inline double target_on_curve(const Remeshing_context& context, Remeshing_mesh::
     const double l = length(b - a);
     if (!(l > 0)) continue;
     const double height = length(triangle_cross(a, b, mesh.position(mesh.apex(side)))) / l;
-    if (height < THINNEST_STRIP * context.target_length) continue;
-    target = (std::min)(target, (std::max)(STRIP_ASPECT * height, SHORTEST_IN_STRIP * context.target_length));
+    if (height < THINNEST_STRIP * wanted) continue;
+    target = (std::min)(target, (std::max)(STRIP_ASPECT * height, SHORTEST_IN_STRIP * wanted));
   }
   return target;
 }
@@ -57,7 +58,8 @@ inline double deviation_from_curve(const Remeshing_context& context, Remeshing_m
 
 inline bool is_too_long_on_curve(const Remeshing_context& context, Remeshing_mesh::Index h)
 {
-  const double length = std::sqrt(context.mesh.squared_edge_length(h)), target = context.target_length;
+  const double length = std::sqrt(context.mesh.squared_edge_length(h)),
+               target = context.length_at(context.mesh.origin(h), context.mesh.target(h));
   return length > context.recipe.split_ratio * target_on_curve(context, h) ||
          (length > SHORTEST_BENT_EDGE * target && deviation_from_curve(context, h) > CURVE_TOLERANCE * target);
 }

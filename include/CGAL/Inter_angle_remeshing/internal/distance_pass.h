@@ -42,7 +42,7 @@ class Distance_reducer
   // A spot that a patch of one ring does not mend is tried again with a larger one, and with splits.
   static constexpr int MOST_RINGS = 2;
   // Least squares end with the first part of the tolerance, and no more is tried with the second one.
-  static constexpr double GOOD = 0.85, ACCEPTED = 0.95;
+  static constexpr double GOOD = Distance_samples::GOOD, ACCEPTED = 0.95;
   // Least squares: their number, damping, regularisation, and the weight of a sample that is right: the others count by the
   // fourth power of their distances over the tolerance.
   static constexpr int ITERATIONS = 5, SWEEPS = 2, LAST_SWEEPS = 4, TRIES = 4;
@@ -71,10 +71,9 @@ class Distance_reducer
   };
 
 public:
-  Distance_reducer(Remeshing_context& context, double length)
-    : context_(context), mesh_(context.mesh), length_(length), tolerance_(context.recipe.distance_tolerance * length),
-      samples_(context, length, GOOD * tolerance_), grid_(context.mesh, LONGEST_EDGE * length), bands_(context.recipe),
-      descent_(context, length),
+  explicit Distance_reducer(Remeshing_context& context)
+    : context_(context), mesh_(context.mesh), samples_(context), grid_(context.mesh, LONGEST_EDGE * context.largest_length()),
+      bands_(context.recipe), descent_(context),
       most_trials_(LEAST_TRIALS + mesh_.number_of_live_faces() / FACES_PER_TRIAL)
   {}
 
@@ -82,7 +81,7 @@ public:
   std::size_t run()
   {
     std::size_t changes = 0;
-    for (const Spot& spot : Far_spot_finder(context_, samples_, grid_, length_, tolerance_).find(most_trials_)) {
+    for (const Spot& spot : Far_spot_finder(context_, samples_, grid_).find(most_trials_)) {
       Outcome outcome = Outcome::nothing;
       for (int rings = 1; rings <= MOST_RINGS && outcome != Outcome::mended && trials_ < most_trials_; ++rings)
         outcome = (std::max)(outcome, mend(spot, rings));
@@ -132,9 +131,9 @@ private:
     Distances result;
     const auto pull = [&](Index f, const auto& b, const Vector3& way, double d) {
       result.largest = (std::max)(result.largest, d);
-      const double e = (std::max)(0., d - tolerance_ / 2);
+      const double e = (std::max)(0., d - samples_.tolerance() / 2);
       result.excess += e * e * e * e;
-      const double part = d / tolerance_, weight = part * part * part * part + LEAST_WEIGHT;
+      const double part = d / samples_.tolerance(), weight = part * part * part * part + LEAST_WEIGHT;
       for (int k = 0; k < 3; ++k) {
         const int i = slot_[mesh_.face_record(f).vertex[k]];
         if (i < 0) continue;
@@ -167,13 +166,13 @@ private:
   Distances move_by_least_squares(Patch& patch)
   {
     Distances distances = measure(patch);
-    for (int i = 0; i < ITERATIONS && distances.largest > GOOD * tolerance_; ++i) {
+    for (int i = 0; i < ITERATIONS && distances.largest > GOOD * samples_.tolerance(); ++i) {
       for (std::size_t k = 0; k < patch.vertices.size(); ++k) {
         const Index v = patch.vertices[k];
         if (!mesh_.is_free(v) || !(patch.weight[k] > 0)) continue;
         Vector3 step = (STEP / (patch.weight[k] + REGULAR)) * patch.pull[k];
         const double l = length(step);
-        if (l > LONGEST * length_) step = (LONGEST * length_ / l) * step;
+        if (l > LONGEST * samples_.length()) step = (LONGEST * samples_.length() / l) * step;
         descent_.displace(v, step, i + 2 < ITERATIONS ? SLACK : 0, TRIES);
       }
       descent_.sweep(patch.vertices, i + 1 < ITERATIONS ? SWEEPS : LAST_SWEEPS);
@@ -185,7 +184,7 @@ private:
   // What is too far away, in target lengths, and what is out of the band or folded.
   double score(const Patch& patch, const Distances& distances) const
   {
-    double result = std::sqrt(std::sqrt(distances.excess)) / length_;
+    double result = std::sqrt(std::sqrt(distances.excess)) / samples_.length();
     for (const Index f : patch.faces)
       if (const double v = violation(context_, bands_, f); v > 0) result += DEGREE * (v + TOUCH);
     return result;
@@ -243,7 +242,7 @@ private:
     set_faces(result);
     samples_.start();
     std::vector<std::pair<double, Sample>> samples;
-    const double radius = (PATCH_RADIUS + (rings - 1) * RING) * length_;
+    const double radius = (PATCH_RADIUS + (rings - 1) * RING) * samples_.length();
     samples_.for_each_face_near(spot.sample.point, radius, spot.sample.surface_face, [&](Index f) {
       const auto take = [&](const Vector3& p) {
         if (squared_distance(p, spot.sample.point) > radius * radius) return;
@@ -265,9 +264,10 @@ private:
   {
     const Sample& spot = found.sample;
     if (!mesh_.is_face(spot.face)) return Outcome::mended;
+    samples_.set_scale_at(mesh_.face_record(spot.face).vertex[0]);
     Patch start = patch_around(found, rings);
     const Distances before = measure(start);
-    if (before.largest < tolerance_) return Outcome::mended;
+    if (before.largest < samples_.tolerance()) return Outcome::mended;
     if (start.vertices.size() > LARGEST_PATCH) return Outcome::nothing;
     snapshot_.take(mesh_, ball(mesh_, start.vertices, 1, marks_));
     double best_score = (1 - NOTICEABLE) * score(start, before);
@@ -280,7 +280,7 @@ private:
       const Distances after = move_by_least_squares(patch);
       const double s = score(patch, after);
       const bool is_better = s < best_score && !are_crossed(mesh_, grid_, patch.faces, marks_);
-      if (is_better) outcome = after.largest < ACCEPTED * tolerance_ ? Outcome::mended : Outcome::bettered;
+      if (is_better) outcome = after.largest < ACCEPTED * samples_.tolerance() ? Outcome::mended : Outcome::bettered;
       if (outcome == Outcome::mended && (!context_.visitor.listens() || trial.kind != Kind::split)) return outcome;
       snapshot_.restore(mesh_);
       if (!is_better) continue;
@@ -297,7 +297,6 @@ private:
 
   Remeshing_context& context_;
   Remeshing_mesh& mesh_;
-  double length_, tolerance_;
   Distance_samples samples_;
   Face_grid grid_;
   Angle_bands bands_;
@@ -309,9 +308,9 @@ private:
 };
 
 // Returns the number of spots where something was changed.
-inline std::size_t distance_pass(Remeshing_context& context, double length)
+inline std::size_t distance_pass(Remeshing_context& context)
 {
-  return Distance_reducer(context, length).run();
+  return Distance_reducer(context).run();
 }
 
 } // namespace internal

@@ -40,11 +40,23 @@ public:
     Index surface_face, face;            // on the surface; of the mesh, near by
   };
 
-  // Distances up to `good_enough` are not looked into further.
-  Distance_samples(const Remeshing_context& context, double length, double good_enough)
-    : context_(context), mesh_(context.mesh), surface_(*context.projector.surface), length_(length),
-      enough_(good_enough * good_enough)
+  // Distances up to this part of the tolerance are not looked into further.
+  static constexpr double GOOD = 0.85;
+
+  explicit Distance_samples(const Remeshing_context& context)
+    : context_(context), mesh_(context.mesh), surface_(*context.projector.surface)
   {}
+
+  // The scale of what is looked at from now on: the target length at vertex v.
+  void set_scale_at(Index v)
+  {
+    length_ = context_.length_at(v);
+    tolerance_ = context_.recipe.distance_tolerance * length_;
+    enough_ = GOOD * tolerance_ * GOOD * tolerance_;
+  }
+  double length() const { return length_; }
+  // The largest distance that is let be.
+  double tolerance() const { return tolerance_; }
 
   // Calls `function(surface face)` for the faces of the surface that have a corner within `radius` of p, from face f on.
   template <class Function>
@@ -151,7 +163,7 @@ private:
   const Remeshing_context& context_;
   const Remeshing_mesh& mesh_;
   const Reference_surface& surface_;
-  double length_, enough_;
+  double length_ = 0, tolerance_ = 0, enough_ = 0;
   Visit_marks surface_faces_, surface_vertices_, surface_edges_;
 };
 

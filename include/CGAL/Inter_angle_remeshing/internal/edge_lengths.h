@@ -69,15 +69,18 @@ inline double mean_edge_length(const Remeshing_mesh& mesh)
   return total_edge_length(mesh) / (1.5 * double(mesh.number_of_live_faces()));
 }
 
-// Of the edges that may be split: a protected one stays as long as it is.
-inline double squared_longest_edge(const Remeshing_mesh& mesh)
+// The largest length of an edge in targets, `target(u, v)` being that of an edge between u and v, of those that may be split: a
+// protected one stays as long as it is.
+template <class Target>
+double longest_edge_in_targets(const Remeshing_mesh& mesh, const Target& target)
 {
   double longest = 0;
   for (std::size_t f = 0; f < mesh.number_of_face_slots(); ++f)
     if (mesh.is_face(Remeshing_mesh::Index(f)))
       for (int k = 0; k < 3; ++k) {
         const Remeshing_mesh::Index h = Remeshing_mesh::Index(4 * f + k);
-        if (mesh.is_split_legal(h)) longest = (std::max)(longest, mesh.squared_edge_length(h));
+        if (mesh.is_split_legal(h))
+          longest = (std::max)(longest, std::sqrt(mesh.squared_edge_length(h)) / target(mesh.origin(h), mesh.target(h)));
       }
   return longest;
 }

@@ -28,6 +28,7 @@ namespace internal {
 struct Far_spot
 {
   double distance;
+  double length;                         // the target length there
   Distance_samples::Sample sample;
   std::optional<Vector3> place;          // on the mesh, where the spot is one of its faces that is far from the surface
 };
@@ -57,9 +58,8 @@ class Far_spot_finder
   static constexpr double SUSPICIOUS = 0.5;
 
 public:
-  Far_spot_finder(const Remeshing_context& context, Distance_samples& samples, Face_grid& grid, double length, double tolerance)
-    : context_(context), mesh_(context.mesh), surface_(*context.projector.surface), samples_(samples), grid_(grid),
-      length_(length), tolerance_(tolerance)
+  Far_spot_finder(const Remeshing_context& context, Distance_samples& samples, Face_grid& grid)
+    : context_(context), mesh_(context.mesh), surface_(*context.projector.surface), samples_(samples), grid_(grid)
   {}
 
   // At most so many, the worst one first, none near another one.
@@ -69,9 +69,10 @@ public:
     const std::vector<Index> sharp = vertices_at_sharp_edges();
     find_far_samples_of_surface(sharp, found);
     find_far_samples_of_mesh(sharp, found);
-    std::stable_sort(found.begin(), found.end(), [](const Spot& a, const Spot& b) { return a.distance > b.distance; });
+    std::stable_sort(found.begin(), found.end(), [](const Spot& a, const Spot& b) {
+      return a.distance / a.length > b.distance / b.length; });
     std::vector<Spot> result;
-    Point_grid accepted(SPOT_DISTANCE * length_);
+    Point_grid accepted(SPOT_DISTANCE * context_.target_length);
     for (const Spot& spot : found) {
       if (accepted.has_near(spot.sample.point) || is_near_elsewhere(spot)) continue;
       accepted.insert(spot.sample.point);
@@ -110,22 +111,23 @@ private:
     sampled.start(surface_.number_of_faces());
     samples_.start();
     for (const Index v : sharp) {
+      samples_.set_scale_at(v);
       std::vector<Index> faces;
       const auto around = [&]() -> const std::vector<Index>& {
         if (faces.empty()) faces = faces_around(mesh_, ball(mesh_, {v}, 2, marks_));
         return faces;
       };
-      samples_.for_each_face_near(mesh_.position(v), REACH * length_, mesh_.hint(v), [&](Index f) {
+      samples_.for_each_face_near(mesh_.position(v), REACH * samples_.length(), mesh_.hint(v), [&](Index f) {
         if (!sampled.visit(std::size_t(f))) return;
         const auto sample = [&](const Vector3& p) {
           Sample s{p, f, mesh_.face(mesh_.first(v))};
           const double d = samples_.distance(s, around);
-          if (d > tolerance_) found.push_back({d, s, {}});
+          if (d > samples_.tolerance()) found.push_back({d, samples_.length(), s, {}});
           return d;
         };
         samples_.for_each_corner_of(f, [&](Index u, const Vector3& p) { corner_distance[u] = float(sample(p)); });
         const auto& corner = surface_.face_record(f).vertex;
-        if (std::any_of(corner, corner + 3, [&](Index u) { return corner_distance[u] > SUSPICIOUS * tolerance_; }))
+        if (std::any_of(corner, corner + 3, [&](Index u) { return corner_distance[u] > SUSPICIOUS * samples_.tolerance(); }))
           samples_.for_each_inner_sample_of(f, sample);
       });
     }
@@ -134,21 +136,23 @@ private:
   // Points of the mesh that are too far from the surface.
   void find_far_samples_of_mesh(const std::vector<Index>& sharp, std::vector<Spot>& found)
   {
-    for (const Index f : faces_around(mesh_, sharp))
+    for (const Index f : faces_around(mesh_, sharp)) {
+      samples_.set_scale_at(mesh_.face_record(f).vertex[0]);
       for (int k = 0; k < 4; ++k) {
         const Vector3 y = point_on_face(mesh_, f, PLACES_ON_FACE[k]);
         Sample s{Vector3(), -1, f};
         s.point = samples_.nearest_on_surface(f, y, s.surface_face);
-        if (const double d = length(s.point - y); d > tolerance_) found.push_back({d, s, y});
+        if (const double d = length(s.point - y); d > samples_.tolerance()) found.push_back({d, samples_.length(), s, y});
       }
+    }
   }
 
   // Whether what is far from its own sheet is near another one, as where the surface crosses itself.
   bool is_near_elsewhere(const Spot& spot)
   {
     const Vector3 p = spot.place.value_or(spot.sample.point);
-    const double enough = tolerance_ * tolerance_;
-    const Vector3 reach{tolerance_, tolerance_, tolerance_};
+    const double tolerance = context_.recipe.distance_tolerance * spot.length, enough = tolerance * tolerance;
+    const Vector3 reach{tolerance, tolerance, tolerance};
     bool result = false;
     grid_.for_each_near(p - reach, p + reach, marks_, [&](Index f) {
       if (!spot.place) result = squared_distance(closest_point_on_face(mesh_, p, f).point, p) < enough;
@@ -166,7 +170,6 @@ private:
   const Reference_surface& surface_;
   Distance_samples& samples_;
   Face_grid& grid_;
-  double length_, tolerance_;
   Visit_marks marks_;
 };
 

@@ -199,6 +199,8 @@ private:
     return {x[data_.rank(v[0])], x[data_.rank(v[1])], x[data_.rank(v[2])]};
   }
 
+  static double squared(double x) { return x * x; }
+  double length_on_face(Index f) const { return context_.length_at(mesh_.face_record(f).vertex[0]); }
   void sample_result();
   void sample_surface();
   void update_equations();
@@ -238,7 +240,7 @@ void Surface_fit<ConcurrencyTag>::sample_result()
         Index& hint = nearest_faces_[3 * f + k];
         hint = start(f, k);
         const Surface_point s = context_.projector.nearest(y, hint);
-        if (squared_distance(s.point, y) > length_ * length_ || !(dot(s.normal, c) > 0)) continue;
+        if (squared_distance(s.point, y) > squared(length_on_face(f)) || !(dot(s.normal, c) > 0)) continue;
         equations_[f].add(places()[k], s.normal, area / 3, dot(s.point - y, s.normal));
       }
     }
@@ -289,7 +291,7 @@ void Surface_fit<ConcurrencyTag>::sample_surface()
         const Barycentric b = n == 1 ? Barycentric{1. / 3, 1. / 3, 1. / 3} : places()[k];
         const Surface_point s = projector.at(f, b);
         const Point_on_triangle c = walk_to_closest_point(mesh_, s.point, g);
-        if (squared_distance(c.point, s.point) > length_ * length_ || !(dot(s.normal, cross_product(g)) > 0)) continue;
+        if (squared_distance(c.point, s.point) > squared(length_on_face(g)) || !(dot(s.normal, cross_product(g)) > 0)) continue;
         const auto& v = mesh_.face_record(g).vertex;
         take(Sample{g, barycentric(c, mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])), s.normal,
                     area / double(n), dot(s.point - c.point, s.normal)});
@@ -332,19 +334,20 @@ double Surface_fit<ConcurrencyTag>::set_up(std::size_t i)
   const Index v = data_.order[i];
   Vector3 normal, centre;
   double area = 0;
+  const double length = context_.length_at(v);
   Symmetric_matrix own;
   Vector3 right;
   mesh_.for_each_around(v, [&](Index h) {
     const Face_equations& e = equations_[mesh_.face(h)];
     const Vector3 c = cross_product(mesh_.face(h));
     normal += c;
-    area += length(c) / 6;
+    area += internal::length(c) / 6;
     centre += mesh_.position(mesh_.target(h));
     own += e.diagonal(mesh_.corner(h));
     right += e.right(mesh_.corner(h));
   });
   const Vector3 way = (1. / mesh_.valence(v)) * centre - mesh_.position(v), u = unit_vector(normal);
-  flat_normal_[i] = squared_length(right) <= FLAT * FLAT * length_ * length_ * area * area ? u : Vector3();
+  flat_normal_[i] = squared_length(right) <= squared(FLAT * length * area) ? u : Vector3();
   regular_[i] = Symmetric_matrix::axial(TANGENTIAL * area, (NORMAL - TANGENTIAL) * area, u);
   own += regular_[i];
   inverse_[i] = own.inverse();
@@ -439,7 +442,7 @@ std::size_t Surface_fit<ConcurrencyTag>::displace()
       if (displacement_[i] == Vector3()) continue;
       const Vector3 p = data_.position[i];
       displacement_[i] = displacement_[i] - dot(displacement_[i], flat_normal_[i]) * flat_normal_[i];
-      const double l = length(displacement_[i]), longest = LONGEST * length_;
+      const double l = length(displacement_[i]), longest = LONGEST * context_.length_at(data_.order[i]);
       if (l > longest) displacement_[i] = (longest / l) * displacement_[i];
       double before = -1;
       const auto does_harm = [&](const Vector3& q) {

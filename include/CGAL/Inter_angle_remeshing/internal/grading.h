@@ -6,13 +6,15 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_GRADING_H
 
 #include <CGAL/Inter_angle_remeshing/internal/curves.h>
+#include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
+#include <CGAL/Inter_angle_remeshing/internal/sizing.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-// Where curves have short edges, because details are small or strips narrow, the target length falls to theirs, and rises
-// again with the distance.
+// The target length at each vertex: that of the sizing field; and where curves have short edges, because details are small or
+// strips narrow, it falls to theirs. It rises by so much and no more with the distance.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -25,21 +27,44 @@ public:
   using Index = Remeshing_mesh::Index;
 
   bool is_uniform() const { return part_.empty(); }
+  bool has_field() const { return !field_.empty(); }
+  double part(Index v) const { return at(part_, v); }
   // The target of an edge between u and v.
-  double part(Index u, Index v) const { return 0.5 * (double(part(u)) + double(part(v))); }
+  double part(Index u, Index v) const { return 0.5 * (part(u) + part(v)); }
+  // The same before curves are looked at.
+  double field_part(Index v) const { return at(field_, v); }
+  double field_part(Index u, Index v) const { return 0.5 * (field_part(u) + field_part(v)); }
+
+  double largest_field_part() const { return has_field() ? double(*std::max_element(field_.begin(), field_.end())) : 1.; }
+
   // A new vertex on an edge between u and v.
   void inherit(Index vertex, Index u, Index v)
   {
-    if (is_uniform()) return;
-    if (std::size_t(vertex) >= part_.size()) part_.resize(std::size_t(vertex) + 1, 1);
-    part_[vertex] = float(part(u, v));
+    if (!is_uniform()) set(part_, vertex, part(u, v));
+    if (has_field()) set(field_, vertex, field_part(u, v));
   }
 
-  // Measures the curves' edges. `rate` is by how much the target rises over a unit of length.
-  void measure(const Remeshing_mesh& mesh, double target_length, double rate)
+  // Takes the parts of all vertices from the field, or 1 where it is uniform; see `sink()` for the curves.
+  template <class ConcurrencyTag>
+  void read(const Remeshing_mesh& mesh, const Sizing& sizing, double target_length)
   {
     part_.assign(mesh.number_of_vertex_slots(), 1);
-    std::vector<Index> queue;
+    if (sizing.is_uniform()) return;
+    for_each_block<ConcurrencyTag>(part_.size(), SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
+      for (Index v = Index(begin); v < Index(end); ++v)
+        if (mesh.is_vertex(v)) part_[v] = float(sizing.part_at(mesh, v));
+    });
+    std::vector<Index> all;
+    for (Index v = 0; v < Index(part_.size()); ++v)
+      if (mesh.is_vertex(v)) all.push_back(v);
+    bound_slope(mesh, target_length, STEEPEST_FIELD, all, [](Index) { return true; });
+    field_ = part_;
+  }
+
+  // Lowers the parts at short edges of curves, and around them: they rise by `rate` over a unit of length.
+  void sink(const Remeshing_mesh& mesh, double target_length, double rate)
+  {
+    std::vector<Index> sunk;
     for (Index v = 0; v < Index(part_.size()); ++v) {
       if (!mesh.is_vertex(v) || !mesh.is_on_curve(v) || mesh.is_locked(v)) continue;
       double sum = 0;
@@ -49,13 +74,40 @@ public:
         ++edges;
       });
       if (edges == 0) continue;
-      part_[v] = float((std::min)(1., (std::max)(SMALLEST, CURVE_EDGE * sum / (edges * target_length))));
-      if (part_[v] < 1) queue.push_back(v);
+      const double bound = CURVE_EDGE * sum / (edges * target_length), before = part(v);
+      part_[v] = float((std::min)(before, (std::max)(SMALLEST * before, bound)));
+      if (part(v) < before) sunk.push_back(v);
     }
+    bound_slope(mesh, target_length, rate, sunk, [&](Index v) { return !mesh.is_on_curve(v); });
+  }
+
+private:
+  // The target is a little longer than the mean curve edge, and at least this part of what it would be else.
+  static constexpr double CURVE_EDGE = 1.05, SMALLEST = 0.3;
+  // A field that rises faster than this leaves triangles no room to grow.
+  static constexpr double STEEPEST_FIELD = 0.5;
+  // A vertex whose part falls by less need not be looked at again.
+  static constexpr float NOTICEABLE = 1.01f;
+
+  static double at(const std::vector<float>& parts, Index v)
+  {
+    return std::size_t(v) < parts.size() ? double(parts[v]) : 1.;
+  }
+  static void set(std::vector<float>& parts, Index v, double part)
+  {
+    if (std::size_t(v) >= parts.size()) parts.resize(std::size_t(v) + 1, 1);
+    parts[v] = float(part);
+  }
+
+  // Lowers the parts beside the vertices of the queue that rise faster than by `rate` over a unit of length, as far as
+  // `may_fall(v)` holds.
+  template <class Predicate>
+  void bound_slope(const Remeshing_mesh& mesh, double target_length, double rate, std::vector<Index>& queue, const Predicate& may_fall)
+  {
     for (std::size_t i = 0; i < queue.size(); ++i) {
       const Index v = queue[i];
       mesh.for_each_neighbor(v, [&](Index u) {
-        if (mesh.is_on_curve(u)) return;
+        if (!may_fall(u)) return;
         const double distance = length(mesh.position(u) - mesh.position(v)) / target_length;
         const float bound = float(double(part_[v]) + rate * distance);
         if (part_[u] <= bound * NOTICEABLE) return;
@@ -65,15 +117,8 @@ public:
     }
   }
 
-private:
-  // The target is a little longer than the mean curve edge, and at least this part of the target of the run.
-  static constexpr double CURVE_EDGE = 1.05, SMALLEST = 0.3;
-  // A vertex whose part falls by less need not be looked at again.
-  static constexpr float NOTICEABLE = 1.01f;
-
-  float part(Index v) const { return std::size_t(v) < part_.size() ? part_[v] : 1.f; }
-
   std::vector<float> part_;              // by vertex; empty: 1 everywhere
+  std::vector<float> field_;             // before curves are looked at; empty: 1 everywhere
 };
 
 } // namespace internal

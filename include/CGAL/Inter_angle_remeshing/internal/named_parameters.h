@@ -5,17 +5,18 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_NAMED_PARAMETERS_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_NAMED_PARAMETERS_H
 
-#include <CGAL/Inter_angle_remeshing/Face_count.h>
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
 #include <CGAL/Inter_angle_remeshing/internal/Edge_rule.h>
 #include <CGAL/Inter_angle_remeshing/internal/Run_visitor.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
+#include <CGAL/Inter_angle_remeshing/internal/target_of_run.h>
 
-#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <cmath>
 #include <functional>
@@ -32,13 +33,27 @@ namespace internal {
 
 using Not_given = CGAL::internal_np::Param_not_found;
 
-template <class Length>
+template <class Field, class TriangleMesh, class Point_3>
+constexpr bool is_field()
+{
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  return Is_sizing_field<Field, Vertex, TriangleMesh>::value || std::is_invocable_r<double, const Field&, const Point_3&>::value;
+}
+
+template <class Length, class TriangleMesh, class Point_3>
 constexpr void check_length_type()
 {
-  using Category = typename CGAL::Algebraic_structure_traits<Length>::Algebraic_category;
-  static_assert(std::is_same<Length, Face_count>::value || !std::is_same<Category, CGAL::Null_tag>::value,
-                "isotropic_remeshing(): the length must be a number or Face_count(n). Sizing fields and functions of "
-                "the position are not supported yet.");
+  if constexpr (Is_scaled_field<Length>::value) {
+    using Field = std::decay_t<decltype(referred_length(std::declval<const Length&>().field))>;
+    static_assert(is_field<Field, TriangleMesh, Point_3>(),
+                  "isotropic_remeshing(): Face_count::scaling() takes a sizing field with `at(vertex, mesh)`, or a function "
+                  "`FT operator()(const Point_3&) const`.");
+  } else {
+    using Field = std::decay_t<decltype(referred_length(std::declval<const Length&>()))>;
+    static_assert(std::is_same<Length, Face_count>::value || Is_number<Length>::value || is_field<Field, TriangleMesh, Point_3>(),
+                  "isotropic_remeshing(): the length must be a number, Face_count(n), a sizing field with `at(vertex, mesh)`, or "
+                  "a function `FT operator()(const Point_3&) const`.");
+  }
 }
 
 template <class NamedParameters, class Tag>

@@ -33,8 +33,8 @@ class Polisher
   static constexpr int FLIP_ROUNDS = 3;
 
 public:
-  Polisher(Remeshing_context& context, double length)
-    : context_(context), mesh_(context.mesh), descent_(context, length)
+  explicit Polisher(Remeshing_context& context)
+    : context_(context), mesh_(context.mesh), descent_(context)
   {}
 
   // Returns the number of moves and flips.
@@ -143,9 +143,9 @@ private:
 };
 
 // Returns the number of moves and flips.
-inline std::size_t polish_pass(Remeshing_context& context, double length)
+inline std::size_t polish_pass(Remeshing_context& context)
 {
-  return Polisher(context, length).run();
+  return Polisher(context).run();
 }
 
 } // namespace internal

@@ -52,7 +52,8 @@ struct Projection
   double factor = 1;                     // from the flat mesh's units to those of the surface and of the rule, a power of two
   const Mls_surface* mls = nullptr;      // none: the facets
   double facet_length = 0;               // mean edge length of a face, up to which its facet counts,
-  double smooth_length = 0;              // and from which on the MLS surface counts alone
+  double smooth_length = 0;              // and from which on the MLS surface counts alone; by the sizing field's parts
+  const std::vector<float>* parts = nullptr;    // by face of the surface; none: uniform
   // Rules where it is given; the walk, if there is a surface, then serves for the hint alone.
   const std::function<Vector3(const Vector3&)>* rule = nullptr;
   const std::vector<Corner_table::Index>* face_of_source = nullptr;   // where the surface's faces are those of the input
@@ -68,7 +69,7 @@ struct Projection
   Vector3 smooth_point(const Vector3& q, Corner_table::Index& hint) const
   {
     const Point_on_triangle closest = surface->closest_point_near(q, hint);
-    const double l = mls->mean_edge_length(hint);
+    const double l = facet_size(hint);
     if (l < facet_length) return closest.point;
     const Vector3 p = mls->project(q, hint, closest);
     return l >= smooth_length ? p : closest.point + share_of_mls(l) * (p - closest.point);
@@ -85,13 +86,13 @@ struct Projection
     const Corner_table::Face& t = surface->face_record(f);
     Vector3 p;
     for (int k = 0; k < 3; ++k) p += b[k] * surface->position(t.vertex[k]);
-    if (const double share = mls == nullptr ? 0. : share_of_mls(mls->mean_edge_length(f)))
+    if (const double share = mls == nullptr ? 0. : share_of_mls(facet_size(f)))
       p += share * (mls->point(f, b) - p);
     return {(1 / factor) * p, normal_at(f, (1 / factor) * p)};
   }
   Vector3 normal_at(Corner_table::Index f, const Vector3& p) const
   {
-    if (mls != nullptr && share_of_mls(mls->mean_edge_length(f)) > 0) {
+    if (mls != nullptr && share_of_mls(facet_size(f)) > 0) {
       const Vector3 n = mls->normal(f, mls->barycentric_of(f, closest_point_on_face(*surface, factor * p, f)));
       if (squared_length(n) > 0) return unit_vector(n);
     }
@@ -99,6 +100,12 @@ struct Projection
   }
   // Whether its faces are those of the input.
   bool is_input() const { return face_of_source != nullptr && rule == nullptr; }
+  // The mean edge length of a face, as it were if the target length were uniform.
+  double facet_size(Corner_table::Index f) const
+  {
+    const double l = mls->mean_edge_length(f);
+    return parts == nullptr ? l : l / double((*parts)[f]);
+  }
   // From 0 to 1 without a kink.
   double share_of_mls(double length) const
   {

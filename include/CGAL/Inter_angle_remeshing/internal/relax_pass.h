@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
 #include <CGAL/Inter_angle_remeshing/internal/Input_curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/Sweep_data.h>
+#include <CGAL/Inter_angle_remeshing/internal/grading.h>
 #include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
 #include <CGAL/Inter_angle_remeshing/internal/thin_angles.h>
@@ -61,7 +62,9 @@ class Relaxation
 public:
   using Index = Sweep_data::Index;
 
-  Relaxation(const Recipe& recipe, const Input_curves& curves) : recipe_(recipe), curves_(curves) {}
+  Relaxation(const Recipe& recipe, const Input_curves& curves, const Grading& grading)
+    : recipe_(recipe), curves_(curves), grading_(grading)
+  {}
 
   // Returns the number of vertices that may have moved: all of them, or those of a region. Slides leave no chord further than
   // `curve_tolerance` from its curve, unless it is that already.
@@ -111,6 +114,7 @@ private:
 
   const Recipe& recipe_;
   const Input_curves& curves_;
+  const Grading& grading_;
   Remeshing_mesh* mesh_ = nullptr;    // of the run: keeps the places on curves
   double curve_tolerance_ = 0;
   Sweep_data data_;
@@ -365,7 +369,7 @@ inline void Relaxation::slide(std::size_t i)
     const Vector3 q = curves_.point(curve, t + shift);
     if (!keeps_faces(i, q)) continue;
     const double deviation = chord_deviation(i, shift, q);
-    if (deviation > curve_tolerance_ && deviation > chord_deviation(i, 0, p)) continue;
+    if (deviation > curve_tolerance_ * grading_.field_part(data_.order[i]) && deviation > chord_deviation(i, 0, p)) continue;
     data_.position[i] = q;
     for (const Index end : ends) mesh_->arc_length(end) += shift;
     return;

@@ -5,7 +5,6 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESH_RANGE_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESH_RANGE_H
 
-#include <CGAL/Inter_angle_remeshing/Face_count.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remesher.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
 #include <CGAL/Inter_angle_remeshing/internal/corners.h>
@@ -13,13 +12,12 @@
 #include <CGAL/Inter_angle_remeshing/internal/mesh_exchange.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 #include <CGAL/Inter_angle_remeshing/internal/run_with_projector.h>
-#include <CGAL/Inter_angle_remeshing/target_edge_length.h>
+#include <CGAL/Inter_angle_remeshing/internal/target_of_run.h>
 
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -78,36 +76,6 @@ inline void check_recipe(const Recipe& recipe)
     refuse(REMESHING, "Recipe::collapse_tolerance is negative or not a number");
 }
 
-// A length so small that the result could not be indexed is refused, as is what is no length. Needles have edges to
-// split, though hardly an area.
-inline void check_length(double length, double area, double total_edge_length)
-{
-  if (!(length >= 0) || !std::isfinite(length))
-    refuse(REMESHING, "the target edge length is " + std::to_string(length) + "; it must be finite and not negative");
-  constexpr double MAXIMUM_FACES = double((std::numeric_limits<Remeshing_mesh::Index>::max)() / 4) / 1.5;
-  const double faces = (std::max)(4 * area / (std::sqrt(3.) * length * length), total_edge_length / length);
-  if (length > 0 && faces > MAXIMUM_FACES)
-    refuse(REMESHING, "the target edge length is so small that about " + std::to_string(faces) +
-                      " faces were needed; at most " + std::to_string(MAXIMUM_FACES) + " can be indexed");
-}
-
-// The target length in the units of the flat mesh.
-template <class Length>
-double target_length(const Length& length, const Remeshing_mesh& mesh, double total_edge_length)
-{
-  const double range_area = area(mesh);
-  double result;
-  if constexpr (std::is_same<Length, Face_count>::value) {
-    if (length.value == 0) refuse(REMESHING, "the wanted number of faces is 0");
-    result = length_for_face_count(range_area, length.value);
-  } else {
-    const double wanted = CGAL::to_double(length);
-    if (std::isfinite(wanted)) result = wanted / mesh.unit(); else result = wanted;
-  }
-  check_length(result, range_area, total_edge_length);
-  return result;
-}
-
 template <class PatchMap, class Faces>
 auto read_patches(const PatchMap& fpm, const Faces& faces)
 {
@@ -159,14 +127,15 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   using Vpm = decltype(parameters.vertex_point_map);
   check_recipe(parameters.recipe);
   if (range.begin() == range.end()) {
-    if constexpr (!std::is_same<Length, Face_count>::value) check_length(CGAL::to_double(length), 0, 0);
+    check_length_value(length);
     return {};
   }
   Mesh_exchange<TriangleMesh, Vpm> exchange(range, tmesh, parameters.vertex_point_map, REMESHING);
   const double total_length = total_edge_length(exchange.mesh());
-  double target = target_length(length, exchange.mesh(), total_length);
+  Target wanted = read_target(length, exchange, tmesh, parameters.vertex_point_map, total_length);
+  double& target = wanted.length;
   if (parameters.schedule.iterations == 0) return {};
-  if constexpr (std::is_same<Length, Face_count>::value) parameters.schedule.wanted_faces = length.value;
+  parameters.schedule.wanted_faces = wanted.faces;
 
   mark_constraints(exchange, tmesh, parameters.edge_is_constrained_map, parameters.vertex_is_constrained_map,
                    parameters.face_patch_map, parameters.constraint_settings);
@@ -182,10 +151,12 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
     return make_edge_rule(policy, exchange.input_vertices(), boost::graph_traits<TriangleMesh>::null_vertex());
   };
   bool is_to_be_written = true;
-  Remeshing_report report = run_with_projector(parameters, exchange, mesh, kind, curves, target, [&](const Projection& projector) {
+  Remeshing_report report = run_with_projector(parameters, exchange, mesh, kind, curves, wanted, [&](const Projection& projector) {
+    wanted.sizing.attach(projector, mesh);
     Remeshing_context context{mesh, parameters.recipe, curves, rule(parameters.split_policy), rule(parameters.collapse_policy),
                               rule(parameters.flip_policy), projector, parameters.visitor, parameters.may_collapse_constraints,
-                              target, parameters.may_subdivide, kind.is_cad ? parameters.recipe.grading : 0., Grading()};
+                              target, parameters.may_subdivide, wanted.sizing, kind.is_cad && wanted.sizing.is_uniform() ? parameters.recipe.grading : 0.,
+                              Grading()};
     Remesher<ConcurrencyTag> remesher(context, parameters.schedule);
     const Remeshing_report result = remesher.run();
     is_to_be_written = remesher.is_at_finest_level();

@@ -62,9 +62,9 @@ class Repairer
   };
 
 public:
-  Repairer(Remeshing_context& context, double length)
-    : context_(context), mesh_(context.mesh), length_(length), bands_(context.recipe), descent_(context, length),
-      limits_{LONGEST * length * length, TOLERANCE * length * TOLERANCE * length, MAXIMUM_MERGED_VALENCE}
+  explicit Repairer(Remeshing_context& context)
+    : context_(context), mesh_(context.mesh), bands_(context.recipe), descent_(context),
+      limits_{LONGEST * squared(context.target_length), squared(TOLERANCE * context.target_length), MAXIMUM_MERGED_VALENCE}
   {}
 
   // Returns the number of operations. A further run looks at what has become bad since; what was given up stays so, and the
@@ -99,6 +99,8 @@ public:
   }
 
 private:
+  static double squared(double x) { return x * x; }
+
   // 1 if no operation next to face f helps, 2 if none near it does.
   char& given_up(Index f)
   {
@@ -146,8 +148,8 @@ private:
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     std::vector<Operation> result;
     const int gain = round_ == 0 ? GAIN_AT_FIRST : GAIN_LATER;
-    const double unit = length_ * length_;
     for (const Index h : edges) {
+      const double unit = squared(context_.length_at(mesh_.origin(h), mesh_.target(h)));
       const double l = mesh_.squared_edge_length(h);
       if (!mesh_.is_on_curve_edge(h) && flip_gain(mesh_, h) <= gain) result.push_back({Kind::flip, h});
       if (l < COLLAPSED * unit) {
@@ -234,7 +236,6 @@ private:
 
   Remeshing_context& context_;
   Remeshing_mesh& mesh_;
-  double length_;
   Angle_bands bands_;
   Angle_descent descent_;
   Collapse_limits limits_;

@@ -12,6 +12,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 #include <CGAL/Inter_angle_remeshing/internal/starting_places.h>
+#include <CGAL/Inter_angle_remeshing/internal/target_of_run.h>
 #include <CGAL/Inter_angle_remeshing/internal/upsampling.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -148,7 +149,7 @@ Remeshing_report run_with_rule(double unit, bool is_concurrent, const std::funct
 // the result lies on: the target length follows its area.
 template <class Parameters, class Exchange, class Run>
 Remeshing_report run_with_projector(const Parameters& parameters, const Exchange& exchange, Remeshing_mesh& mesh,
-                                    const Input_kind& kind, Input_curves& curves, double& target, const Run& run)
+                                    const Input_kind& kind, Input_curves& curves, Target& target, const Run& run)
 {
   using Vertex = std::decay_t<decltype(exchange.input_vertices()[0])>;
   using Point_3 = typename boost::property_traits<decltype(parameters.vertex_point_map)>::value_type;
@@ -166,10 +167,10 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
       if (rule) projection.rule = &rule;
       return run(projection);
     }
-    const Default_surface surface(mesh, target, kind);
+    const Default_surface surface(mesh, target.length, target.sizing, kind);
     start_where_vertices_are(mesh);
     surface.bend(curves, mean_edge_length(mesh), mesh, kind);
-    if (parameters.schedule.wanted_faces > 0) target *= std::sqrt(surface.area_ratio());
+    if (target.faces > 0) target.length *= std::sqrt(surface.area_ratio());
     return run(surface.projection());
   } else if constexpr (Has_reference_surface<Functor>::value) {
     const Handed_surface surface(functor.reference_surface(), mesh);

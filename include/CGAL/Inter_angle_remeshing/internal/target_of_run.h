@@ -1,0 +1,144 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_TARGET_OF_RUN_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_TARGET_OF_RUN_H
+
+#include <CGAL/Inter_angle_remeshing/Face_count.h>
+#include <CGAL/Inter_angle_remeshing/internal/refuse.h>
+#include <CGAL/Inter_angle_remeshing/internal/sizing.h>
+#include <CGAL/Inter_angle_remeshing/target_edge_length.h>
+
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// What the argument `length` stands for: a number, a wanted number of faces, a sizing field, or a function of the position.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// The target in the units of the flat mesh.
+struct Target
+{
+  double length;             // with a field, that of reference
+  std::size_t faces;         // 0: none are wanted
+  Sizing sizing;
+};
+
+template <class Field, class Vertex, class TriangleMesh>
+using Length_at_vertex = decltype(CGAL::to_double(std::declval<const Field&>().at(std::declval<Vertex>(), std::declval<TriangleMesh&>())));
+template <class Field, class Vertex, class TriangleMesh, class = void>
+struct Is_sizing_field : std::false_type {};
+template <class Field, class Vertex, class TriangleMesh>
+struct Is_sizing_field<Field, Vertex, TriangleMesh, std::void_t<Length_at_vertex<Field, Vertex, TriangleMesh>>> : std::true_type {};
+
+template <class Length>
+struct Is_scaled_field : std::false_type {};
+template <class SizingField>
+struct Is_scaled_field<Scaled_sizing_field<SizingField>> : std::true_type {};
+
+template <class Length>
+const Length& referred_length(const Length& length) { return length; }
+template <class Length>
+const Length& referred_length(const std::reference_wrapper<Length>& length) { return length.get(); }
+
+// A length so small that the result could not be indexed is refused, as is what is no length. Needles have edges to
+// split, though hardly an area.
+inline void check_length(double length, double area, double total_edge_length)
+{
+  if (!(length >= 0) || !std::isfinite(length))
+    refuse(REMESHING, "the target edge length is " + std::to_string(length) + "; it must be finite and not negative");
+  constexpr double MAXIMUM_FACES = double((std::numeric_limits<Remeshing_mesh::Index>::max)() / 4) / 1.5;
+  const double faces = (std::max)(4 * area / (std::sqrt(3.) * length * length), total_edge_length / length);
+  if (length > 0 && faces > MAXIMUM_FACES)
+    refuse(REMESHING, "the target edge length is so small that about " + std::to_string(faces) +
+                      " faces were needed; at most " + std::to_string(MAXIMUM_FACES) + " can be indexed");
+}
+
+template <class Length>
+using Is_number = std::bool_constant<!std::is_same<typename CGAL::Algebraic_structure_traits<Length>::Algebraic_category,
+                                                   CGAL::Null_tag>::value>;
+
+// The same where there is no mesh to compare with.
+template <class Length>
+void check_length_value(const Length& length)
+{
+  if constexpr (Is_number<Length>::value) check_length(CGAL::to_double(length), 0, 0); else (void)length;
+}
+
+inline double length_for_faces(std::size_t n, double area)
+{
+  if (n == 0) refuse(REMESHING, "the wanted number of faces is 0");
+  return length_for_face_count(area, n);
+}
+
+// The sizing that a field or a function of the position stands for; uniform, with its length, where a field is that.
+template <class Field, class Exchange, class TriangleMesh, class VertexPointMap>
+Target read_field(const Field& field, Exchange& exchange, TriangleMesh& tmesh, const VertexPointMap& vpm)
+{
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Point_3 = typename boost::property_traits<VertexPointMap>::value_type;
+  // Edges come out 5% shorter than their target length. A field says how long they are to be; for a number it is as it is in
+  // Polygon_mesh_processing.
+  constexpr double LENGTHENING = 1.04;
+  const Remeshing_mesh& mesh = exchange.mesh();
+  std::function<double(const Vector3&)> function;
+  std::vector<double> lengths;
+  lengths.reserve(exchange.input_vertices().size());
+  for (const Vertex v : exchange.input_vertices()) {
+    double l;
+    if constexpr (Is_sizing_field<Field, Vertex, TriangleMesh>::value) l = CGAL::to_double(field.at(v, tmesh));
+    else l = CGAL::to_double(field(Point_3(get(vpm, v))));
+    lengths.push_back(checked_length(l, to_vector3(get(vpm, v))) / mesh.unit());
+  }
+  if constexpr (!Is_sizing_field<Field, Vertex, TriangleMesh>::value)
+    function = [&field](const Vector3& p) { return CGAL::to_double(field(Point_3(p.x, p.y, p.z))); };
+  else if (std::adjacent_find(lengths.begin(), lengths.end(), std::not_equal_to<double>()) == lengths.end())
+    return {lengths.front(), 0, Sizing()};
+  Sizing sizing(mesh, lengths, std::move(function));
+  const double reference = LENGTHENING * sizing.reference_length();
+  return {reference, 0, std::move(sizing)};
+}
+
+// `length` must outlive the target.
+template <class Length, class Exchange, class TriangleMesh, class VertexPointMap>
+Target read_target(const Length& length, Exchange& exchange, TriangleMesh& tmesh, const VertexPointMap& vpm,
+                   double total_edge_length)
+{
+  const Remeshing_mesh& mesh = exchange.mesh();
+  const double range_area = area(mesh);
+  Target result{0, 0, Sizing()};
+  if constexpr (std::is_same<Length, Face_count>::value)
+    result = {length_for_faces(length.value, range_area), length.value, Sizing()};
+  else if constexpr (Is_scaled_field<Length>::value) {
+    result = read_field(referred_length(length.field), exchange, tmesh, vpm);
+    result.faces = length.count.value;
+    result.length = length_for_faces(result.faces, range_area);
+  } else if constexpr (Is_number<Length>::value) {
+    const double wanted = CGAL::to_double(length);
+    result.length = std::isfinite(wanted) ? wanted / mesh.unit() : wanted;
+  } else
+    result = read_field(referred_length(length), exchange, tmesh, vpm);
+  check_length(result.length, range_area, total_edge_length);
+  return result;
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_TARGET_OF_RUN_H
