@@ -146,7 +146,7 @@ void a_range_that_is_one_point_is_refused()
 void lengths_that_are_none_are_refused()
 {
   check_refused("target edge length", [](Mesh& g) { IAR::isotropic_remeshing(-1., g); });
-  check_refused("target edge length", [](Mesh& g) { IAR::isotropic_remeshing(-1, g); });
+  check_refused("target edge length is -1", [](Mesh& g) { IAR::isotropic_remeshing(-1, g); });
   check_refused("target edge length", [](Mesh& g) { IAR::isotropic_remeshing(-1e-300, g); });
   check_refused("must be finite", [](Mesh& g) { IAR::isotropic_remeshing(NOT_A_NUMBER, g); });
   check_refused("must be finite", [](Mesh& g) { IAR::isotropic_remeshing(INFINITE, g); });
@@ -182,9 +182,9 @@ void parameters_out_of_their_range_are_refused()
     check_refused(text, [&](Mesh& g) { IAR::isotropic_remeshing(.3, g, np); });
   };
   for(const double angle : {-1., -1e-9, 180.001, 1000., NOT_A_NUMBER, INFINITE})
-    check("sharpness_angle", parameters::sharpness_angle(angle));
-  check("number_of_iterations", parameters::number_of_iterations(-1));
-  check("number_of_relaxation_steps", parameters::number_of_relaxation_steps(-2));
+    check("sharpness_angle is " + std::to_string(angle), parameters::sharpness_angle(angle));
+  check("number_of_iterations is -1", parameters::number_of_iterations(-1));
+  check("number_of_relaxation_steps is -2", parameters::number_of_relaxation_steps(-2));
 
   // at the ends of the ranges nothing is refused
   Mesh m = to_mesh<Mesh>(sphere(1));
@@ -209,6 +209,7 @@ void recipes_out_of_range_are_refused()
     if(is_refused)
     {
       check_refused(text, [&](Mesh& g) { IAR::isotropic_remeshing(.4, g, IAR::recipe(r)); });
+      check_refused(std::to_string(value), [&](Mesh& g) { IAR::isotropic_remeshing(.4, g, IAR::recipe(r)); });
       return;
     }
     Mesh m = to_mesh<Mesh>(sphere(1));
@@ -238,6 +239,9 @@ void recipes_out_of_range_are_refused()
   check("collapse_tolerance", &IAR::Recipe::collapse_tolerance, -.1, true);
   check("collapse_tolerance", &IAR::Recipe::collapse_tolerance, NOT_A_NUMBER, true);
   check("collapse_tolerance", &IAR::Recipe::collapse_tolerance, 0., false);
+  check("grading", &IAR::Recipe::grading, -.1, true);
+  check("grading", &IAR::Recipe::grading, NOT_A_NUMBER, true);
+  check("grading", &IAR::Recipe::grading, 0., false);
   check("distance_tolerance", &IAR::Recipe::distance_tolerance, -.1, true);
   check("distance_tolerance", &IAR::Recipe::distance_tolerance, NOT_A_NUMBER, true);
   check("distance_tolerance", &IAR::Recipe::distance_tolerance, 0., false);

@@ -68,12 +68,12 @@ inline void check_recipe(const Recipe& recipe)
   if (!(recipe.lower_angle >= 0 && recipe.lower_angle < 60 && recipe.upper_angle > 60 && recipe.upper_angle <= 180))
     refuse(REMESHING, "the band of angles [" + std::to_string(recipe.lower_angle) + ", " +
                       std::to_string(recipe.upper_angle) + "] of the recipe must lie in [0, 180] and hold 60 inside");
-  if (!(recipe.grading >= 0))
-    refuse(REMESHING, "Recipe::grading is negative or not a number");
-  if (!(recipe.distance_tolerance >= 0))
-    refuse(REMESHING, "Recipe::distance_tolerance is negative or not a number");
-  if (!(recipe.collapse_tolerance >= 0))
-    refuse(REMESHING, "Recipe::collapse_tolerance is negative or not a number");
+  const auto check_not_negative = [](double value, const char* name) {
+    if (!(value >= 0)) refuse(REMESHING, std::string("Recipe::") + name + " is " + std::to_string(value) + "; it must not be negative");
+  };
+  check_not_negative(recipe.grading, "grading");
+  check_not_negative(recipe.distance_tolerance, "distance_tolerance");
+  check_not_negative(recipe.collapse_tolerance, "collapse_tolerance");
 }
 
 template <class PatchMap, class Faces>
