@@ -44,13 +44,17 @@ number of faces of the range and of the result, per iteration.
 
 @tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
 @tparam FaceRange a model of `ConstRange` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as value type
-@tparam Length a number type, or `Face_count`
+@tparam Length a number type, `Face_count`, a model of `PMPSizingField`, a functor `FT operator()(const Point_3&) const`, or what
+        `Face_count::scaling()` makes of one of these two
 @tparam TriangleMesh a model of `MutableFaceGraph` and `FaceListGraph` whose descriptors are models of `Hashable`
 @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 @param faces the range of triangular faces to be remeshed
 @param length the target edge length in the units of the mesh, or `Face_count(n)` for a wanted number of faces in the
-       range. With length 0 edges are flipped and vertices relaxed, and nothing is split or collapsed.
+       range. With length 0 edges are flipped and vertices relaxed, and nothing is split or collapsed. Of a sizing field the member
+       `at(vertex, mesh)` is called once for each vertex of the range, and nothing else; in between it is interpolated. A
+       functor is called at the vertices as they are at the time, concurrently with `Parallel_tag`. Both may be handed over by
+       `std::cref`.
 @param tmesh the mesh
 @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below; a `Recipe` is
        put at the head of it by `recipe()`
@@ -187,7 +191,7 @@ number of faces of the range and of the result, per iteration.
 
 @throws CGAL::Precondition_exception, in release builds too and before anything is changed, if: a face of the range is
         not a triangle; it has more than 268 million faces; a coordinate, or the extent of the range, is not finite; all
-        points are equal; `length` is negative, not finite, or so small that the result could not be indexed (about 350
+        points are equal; `length` is negative, not finite, as a field anywhere 0, or so small that the result could not be indexed (about 350
         million faces); the wanted number of faces is 0; a vertex has more than 16383 faces; two protected edges join
         the same vertices; a member of the recipe, `sharpness_angle` or a number of iterations or relaxation steps is
         out of its range; or `Recipe::Surface::paper` is asked for without Eigen

@@ -1,0 +1,394 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Target lengths that vary: functions of the position, sizing fields, the field of the curvature, and wanted numbers of faces
+// that scale one.
+
+#include <CGAL/Inter_angle_remeshing/Curvature_sizing_field.h>
+#include <CGAL/Inter_angle_remeshing/Projection/Closest_point_projector.h>
+#include <CGAL/Inter_angle_remeshing/Uniform_sizing_field.h>
+#include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
+#include <CGAL/Inter_angle_remeshing/surface_distance.h>
+
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#if CGAL_VERSION_NR >= 1060000000
+#  include <CGAL/Polygon_mesh_processing/Adaptive_sizing_field.h>
+#  include <CGAL/Polygon_mesh_processing/Uniform_sizing_field.h>
+#endif
+
+#include "check.h"
+#include "invariants.h"
+#include "meshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace IAR = CGAL::Inter_angle_remeshing;
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace parameters = CGAL::parameters;
+using namespace invariants;
+
+Mesh read(const std::string& name)
+{
+  Mesh m;
+  CHECK_MESSAGE(PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), m), name);
+  return m;
+}
+
+double length_of(Edge e, const Mesh& m)
+{
+  return std::sqrt(CGAL::squared_distance(m.point(m.vertex(e, 0)), m.point(m.vertex(e, 1))));
+}
+
+// Edge lengths over what they are to be, in the middle of the edge.
+struct Fit
+{
+  double mean = 0, share = 0;      // the share lies in [0.7, 1.4]
+};
+
+template <class Field>
+Fit fit(const Mesh& m, const Field& field)
+{
+  Fit result;
+  for(const Edge e : m.edges())
+  {
+    const double ratio = length_of(e, m) / field(CGAL::midpoint(m.point(m.vertex(e, 0)), m.point(m.vertex(e, 1))));
+    result.mean += ratio / m.number_of_edges();
+    result.share += (ratio >= .7 && ratio <= 1.4) / double(m.number_of_edges());
+  }
+  return result;
+}
+
+// Lengths that rise along an axis from a half to twice the mean edge length, or swing across it.
+struct Ramp
+{
+  double low, width, length;
+  Ramp(const Mesh& m)
+    : length(mean_edge_length(m))
+  {
+    CGAL::Bbox_3 box;
+    for(const Vertex v : m.vertices())
+      box += m.point(v).bbox();
+    low = box.xmin();
+    width = box.xmax() - box.xmin();
+  }
+  double operator()(const Point& p) const { return length * (.5 + 1.5 * (p.x() - low) / width); }
+};
+
+struct Wave : Ramp
+{
+  using Ramp::Ramp;
+  double operator()(const Point& p) const { return length * (1.2 + .6 * std::sin(4 * CGAL_PI * (p.x() - low) / width)); }
+};
+
+template <class Field>
+void fits(const Mesh& m, const Field& field, const IAR::Remeshing_report& report, double smallest_angle, double largest_angle,
+          const std::string& name)
+{
+  const Fit f = fit(m, field);
+  CHECK_MESSAGE(m.is_valid(false) && CGAL::is_triangle_mesh(m) && is_finite(m), name);
+  CHECK_MESSAGE(std::abs(f.mean - 1) < .05, name << ": mean " << f.mean);
+  CHECK_MESSAGE(f.share > .95, name << ": share " << f.share);
+  const auto& angles = report.angles_after;
+  CHECK_MESSAGE(angles.average > 55, name << ": " << angles.average);
+  CHECK_MESSAGE(angles.minimum >= smallest_angle && angles.maximum <= largest_angle,
+                name << ": " << angles.minimum << " to " << angles.maximum);
+}
+
+void functions_of_the_position_are_followed()
+{
+  // Of a border, whose corners may ask for other angles.
+  struct Case { const char* name; double smallest, largest; };
+  for(const Case& c : {Case{"elephant", 40, 90}, Case{"bunny00", 40, 90}, Case{"mesh_with_border", 33, 103}})
+  {
+    const Mesh input = read(c.name);
+    Mesh m = input;
+    IAR::Remeshing_report report = IAR::isotropic_remeshing(Ramp(input), m);
+    fits(m, Ramp(input), report, c.smallest, c.largest, c.name + std::string(", ramp"));
+    CHECK(topology(m) == topology(input));
+    if(meshes::is_small_run())
+      continue;
+    m = input;
+    report = IAR::isotropic_remeshing(Wave(input), m);
+    fits(m, Wave(input), report, c.smallest, c.largest, c.name + std::string(", wave"));
+    CHECK(topology(m) == topology(input));
+    CHECK(IAR::surface_distance(m, input).hausdorff() < 2 * mean_edge_length(input));
+  }
+}
+
+// A field with values at the vertices of the input.
+struct Field_at_vertices
+{
+  Ramp ramp;
+  double at(Vertex v, const Mesh& m) const { return ramp(m.point(v)); }
+};
+
+// Whatever pulls vertices back, or nothing does.
+void fields_are_followed_with_every_projector()
+{
+  const Mesh input = meshes::to_mesh<Mesh>(meshes::sphere(meshes::is_small_run() ? 4 : 5));
+  const Field_at_vertices field{Ramp(input)};
+  const auto run = [&](const std::string& name, const auto& np) {
+    Mesh m = input;
+    const IAR::Remeshing_report report = IAR::isotropic_remeshing(field, m, np);
+    fits(m, field.ramp, report, 40, 90, name);
+  };
+  run("default", parameters::default_values());
+  run("none", parameters::do_project(false));
+  run("functor", parameters::projection_functor([](const Point& p) { return CGAL::ORIGIN + (p - CGAL::ORIGIN) / std::sqrt(CGAL::squared_distance(p, Point(0, 0, 0))); }));
+  const IAR::Closest_point_projector<Mesh> projector(input);
+  run("projector", parameters::projection_functor(std::ref(projector)));
+  const IAR::Closest_point_projector<Mesh> other(meshes::to_mesh<Mesh>(meshes::sphere(4)));
+  run("projector of another surface", parameters::projection_functor(std::ref(other)));
+}
+
+// A field that is the same everywhere does what its number does.
+void uniform_fields_are_numbers()
+{
+  const Mesh input = meshes::to_mesh<Mesh>(meshes::torus(40, 20, .4));
+  const double l = 1.2 * mean_edge_length(input);
+  Mesh by_number = input, by_field = input, by_reference = input;
+  IAR::isotropic_remeshing(l, by_number);
+  const IAR::Uniform_sizing_field<Mesh> field(l, input);
+  IAR::isotropic_remeshing(field, by_field);
+  IAR::isotropic_remeshing(faces(by_reference), std::cref(field), by_reference);
+  CHECK(meshes::Picture<Mesh>(by_number) == meshes::Picture<Mesh>(by_field));
+  CHECK(meshes::Picture<Mesh>(by_number) == meshes::Picture<Mesh>(by_reference));
+}
+
+void numbers_of_faces_scale_fields()
+{
+  const Mesh input = meshes::to_mesh<Mesh>(meshes::torus(60, 30, .4));
+  for(const double factor : {.1, .7, 5.})
+  {
+    if(meshes::is_small_run() && factor > 1)
+      continue;
+    const std::size_t n = std::size_t(factor * input.number_of_faces());
+    const Ramp ramp(input);
+    Mesh m = input;
+    const IAR::Remeshing_report report = IAR::isotropic_remeshing(IAR::Face_count(n).scaling(ramp), m);
+    CHECK_MESSAGE(std::abs(double(m.number_of_faces()) / n - 1) < .02, factor << ": " << m.number_of_faces() << " of " << n);
+    CHECK(report.output_faces == m.number_of_faces());
+    // The lengths have the field's ratios.
+    const double mean = fit(m, ramp).mean;
+    const Fit f = fit(m, [&](const Point& p) { return mean * ramp(p); });
+    CHECK_MESSAGE(f.share > .9, factor << ": " << f.share);
+  }
+}
+
+// --- curvature ---------------------------------------------------------------------------------------------------
+
+using Curvature_field = IAR::Curvature_sizing_field<Mesh>;
+
+double length_for(double curvature, double tolerance)
+{
+  return std::sqrt(6 * tolerance / curvature - 3 * tolerance * tolerance);
+}
+
+std::vector<double> lengths(const Curvature_field& field, const Mesh& m)
+{
+  std::vector<double> result;
+  for(const Vertex v : m.vertices())
+    result.push_back(field.at(v, m));
+  return result;
+}
+
+void curvature_of_a_sphere_and_a_torus()
+{
+  const double tolerance = 1e-3;
+  const std::pair<double, double> range(1e-3, 10);
+  const Mesh sphere = meshes::to_mesh<Mesh>(meshes::sphere(4));
+  for(const double l : lengths(Curvature_field(tolerance, range, sphere.faces(), sphere), sphere))
+    CHECK_MESSAGE(std::abs(l / length_for(1, tolerance) - 1) < .05, l);
+  // Of the circle that turns about the axis; around the hole the curvature 1 / (1 - r) is smaller.
+  const double r = .4;
+  const Mesh torus = meshes::to_mesh<Mesh>(meshes::torus(120, 60, r));
+  for(const double l : lengths(Curvature_field(tolerance, range, torus.faces(), torus), torus))
+    CHECK_MESSAGE(std::abs(l / length_for(1 / r, tolerance) - 1) < .05, l);
+}
+
+void curvature_with_noise()
+{
+  Mesh sphere = meshes::to_mesh<Mesh>(meshes::sphere(5));
+  std::mt19937 random(11);
+  std::normal_distribution<double> noise(0, .05 * mean_edge_length(sphere));
+  for(const Vertex v : sphere.vertices())
+    sphere.point(v) = CGAL::ORIGIN + (1 + noise(random)) * (sphere.point(v) - CGAL::ORIGIN);
+  const double tolerance = 1e-3, expected = length_for(1, tolerance);
+  std::vector<double> l = lengths(Curvature_field(tolerance, {1e-3, 10}, sphere.faces(), sphere), sphere);
+  std::sort(l.begin(), l.end());
+  CHECK_MESSAGE(l[l.size() / 2] > .75 * expected && l[l.size() / 2] < 1.25 * expected, l[l.size() / 2] / expected);
+  CHECK_MESSAGE(l[l.size() / 20] > .55 * expected, l[l.size() / 20] / expected);
+}
+
+// Flat faces have no curvature, be they beside a sharp edge; bent borders and features have one.
+void curvature_at_features_and_borders()
+{
+  const Mesh cube = meshes::to_mesh<Mesh>(meshes::cube(8));
+  for(const double l : lengths(Curvature_field(.001, {.01, .5}, cube.faces(), cube), cube))
+    CHECK_MESSAGE(std::abs(l - .5) < 1e-9, l);
+
+  // A disk: flat inside, a circle of radius 1 around it.
+  const std::size_t n = 40;
+  meshes::Soup disk;
+  disk.points.push_back({0, 0, 0});
+  for(std::size_t i = 0; i < n; ++i)
+    disk.points.push_back({std::cos(2 * CGAL_PI * i / n), std::sin(2 * CGAL_PI * i / n), 0});
+  for(std::size_t i = 0; i < n; ++i)
+    disk.faces.push_back({0, 1 + i, 1 + (i + 1) % n});
+  const Mesh m = meshes::to_mesh<Mesh>(disk);
+  const Curvature_field field(.001, {.01, 5}, m.faces(), m);
+  for(const Vertex v : m.vertices())
+  {
+    const double expected = m.is_border(v) ? length_for(1, .001) : length_for(1, .001) + .3;
+    CHECK_MESSAGE(std::abs(field.at(v, m) / expected - 1) < .02, field.at(v, m) << " " << expected);
+  }
+}
+
+void gradation_is_bounded()
+{
+  const Mesh m = read(meshes::is_small_run() ? "blobby_3cc" : "elephant");
+  const double mean = mean_edge_length(m), gradation = .2;
+  const std::pair<double, double> range(mean / 4, 4 * mean);
+  const Curvature_field field(.02 * mean, range, m.faces(), m, parameters::default_values(), gradation);
+  std::size_t shortest = 0, longest = 0;
+  for(const Edge e : m.edges())
+  {
+    const double a = field.at(m.vertex(e, 0), m), b = field.at(m.vertex(e, 1), m);
+    CHECK_MESSAGE(std::abs(a - b) <= gradation * length_of(e, m) * (1 + 1e-9), a << " " << b);
+    shortest += a < mean;
+    longest += a > mean;
+  }
+  CHECK(shortest > 0 && longest > 0);
+  for(const double l : lengths(field, m))
+    CHECK(l >= range.first && l <= range.second);
+  Mesh result = m;
+  const IAR::Remeshing_report report = IAR::isotropic_remeshing(field, result);
+  CHECK_MESSAGE(report.angles_after.minimum > 40 && report.angles_after.maximum < 90,
+                report.angles_after.minimum << " to " << report.angles_after.maximum);
+  CHECK_MESSAGE(report.angles_after.average > 55, report.angles_after.average);
+}
+
+// A part of the faces has vertices that the field does not know.
+void curvature_of_a_range()
+{
+  const Mesh m = meshes::to_mesh<Mesh>(meshes::sphere(3));
+  std::vector<Face> half(m.faces().begin(), m.faces().begin() + m.number_of_faces() / 2);
+  const Curvature_field field(.001, {.01, 7}, half, m);
+  std::size_t unknown = 0;
+  for(const Vertex v : m.vertices())
+    unknown += field.at(v, m) == 7;
+  CHECK(unknown > 0 && unknown < m.number_of_vertices());
+  const Curvature_field none(.001, {.01, 7}, std::vector<Face>(), m);
+  CHECK(none.at(*m.vertices().begin(), m) == 7);
+}
+
+#if CGAL_VERSION_NR >= 1060000000
+void fields_of_polygon_mesh_processing_are_taken()
+{
+  Mesh input = meshes::to_mesh<Mesh>(meshes::torus(60, 30, .4));
+  const double l = mean_edge_length(input);
+  Mesh by_number = input, by_field = input, adaptive = input;
+  IAR::isotropic_remeshing(l, by_number);
+  IAR::isotropic_remeshing(PMP::Uniform_sizing_field<Mesh>(l, by_field), by_field);
+  CHECK(meshes::Picture<Mesh>(by_number) == meshes::Picture<Mesh>(by_field));
+  const PMP::Adaptive_sizing_field<Mesh> field(.02 * l, std::make_pair(l / 3, 3 * l), adaptive.faces(), adaptive);
+  const IAR::Remeshing_report report = IAR::isotropic_remeshing(adaptive.faces(), field, adaptive);
+  CHECK(report.angles_after.minimum > 40 && report.angles_after.maximum < 90);
+}
+#endif
+
+// --- what is refused ---------------------------------------------------------------------------------------------
+
+void bad_lengths_are_refused()
+{
+  const Mesh input = meshes::to_mesh<Mesh>(meshes::sphere(2));
+  const double bad_values[] = {0., -1., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
+  for(const double bad : bad_values)
+  {
+    Mesh m = input;
+    CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing([=](const Point& p) { return p.z() > .5 ? bad : .1; }, m),
+                           CGAL::Precondition_exception, "the sizing field is " + std::to_string(bad) + " at (");
+    CHECK(meshes::Picture<Mesh>(m) == meshes::Picture<Mesh>(input));
+    CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing(IAR::Uniform_sizing_field<Mesh>(bad, m), m),
+                           CGAL::Precondition_exception, "the sizing field is");
+    CHECK(meshes::Picture<Mesh>(m) == meshes::Picture<Mesh>(input));
+  }
+  Mesh m = input;
+  // Good at the vertices of the input, bad later on: the run ends, and the mesh is as it was.
+  std::size_t calls = 0;
+  const auto late = [&](const Point&) { return ++calls > 3 * input.number_of_vertices() ? 0. : .1; };
+  CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing(std::cref(late), m), CGAL::Precondition_exception, "the sizing field is 0");
+  CHECK(meshes::Picture<Mesh>(m) == meshes::Picture<Mesh>(input));
+  const auto throwing = [&](const Point&) -> double { throw std::runtime_error("no length"); };
+  CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing(throwing, m), std::runtime_error, "no length");
+  CHECK(meshes::Picture<Mesh>(m) == meshes::Picture<Mesh>(input));
+  CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing(IAR::Face_count(0).scaling(Ramp(input)), m), CGAL::Precondition_exception,
+                         "the wanted number of faces is 0");
+  CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing([](const Point&) { return 1e-9; }, m), CGAL::Precondition_exception, "so small");
+
+  const auto construct = [&](double tolerance, double low, double high, double gradation) {
+    return Curvature_field(tolerance, {low, high}, m.faces(), m, parameters::default_values(), gradation);
+  };
+  for(const double bad : bad_values)
+  {
+    CHECK_THROWS_WITH_TEXT(construct(bad, .1, 1, .3), CGAL::Precondition_exception, "the tolerance is");
+    CHECK_THROWS_WITH_TEXT(construct(.1, bad, 1, .3), CGAL::Precondition_exception, "the range of lengths is");
+    if(!(bad > 0))
+      CHECK_THROWS_WITH_TEXT(construct(.1, .1, 1, bad), CGAL::Precondition_exception, "the gradation is");
+  }
+  CHECK_THROWS_WITH_TEXT(construct(.1, 1, .5, .3), CGAL::Precondition_exception, "the range of lengths is");
+}
+
+// Features and the border stay where they are, and their edges have the field's lengths.
+void curves_follow_the_field()
+{
+  const Mesh input = meshes::to_mesh<Mesh>(meshes::cube(10));
+  const Ramp ramp(input);
+  Mesh m = input;
+  IAR::isotropic_remeshing(ramp, m);
+  std::vector<double> ratios;
+  double total = 0;
+  for(const Edge e : m.edges())
+  {
+    const Point p = CGAL::midpoint(m.point(m.vertex(e, 0)), m.point(m.vertex(e, 1)));
+    int extreme = 0;
+    for(int k = 0; k < 3; ++k)
+      extreme += std::abs(p[k]) < 1e-9 || std::abs(p[k] - 1) < 1e-9;
+    if(extreme < 2)
+      continue;
+    total += length_of(e, m);
+    ratios.push_back(length_of(e, m) / ramp(p));
+  }
+  CHECK_MESSAGE(std::abs(total - 12) < 1e-9, total);
+  std::size_t fitting = 0;
+  for(const double r : ratios)
+    fitting += r >= .6 && r <= 1.5;
+  CHECK_MESSAGE(fitting >= .95 * ratios.size(), fitting << " of " << ratios.size());
+}
+
+int main()
+{
+  functions_of_the_position_are_followed();
+  fields_are_followed_with_every_projector();
+  uniform_fields_are_numbers();
+  numbers_of_faces_scale_fields();
+  curvature_of_a_sphere_and_a_torus();
+  curvature_with_noise();
+  curvature_at_features_and_borders();
+  gradation_is_bounded();
+  curvature_of_a_range();
+#if CGAL_VERSION_NR >= 1060000000
+  fields_of_polygon_mesh_processing_are_taken();
+#endif
+  bad_lengths_are_refused();
+  curves_follow_the_field();
+  return result();
+}
