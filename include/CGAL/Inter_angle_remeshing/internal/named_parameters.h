@@ -81,7 +81,7 @@ double sharpness_cosine(const Angle& angle)
 {
   const double degrees = CGAL::to_double(angle);
   if (!(degrees >= 0 && degrees <= 180))
-    refuse("isotropic_remeshing()", "sharpness_angle is " + std::to_string(degrees) + "; it must lie in [0, 180]");
+    refuse("isotropic_remeshing()", "sharpness_angle is " + to_text(degrees) + "; it must lie in [0, 180]");
   return degrees < 180 ? std::cos(degrees * (CGAL_PI / 180)) : -2;
 }
 
