@@ -12,7 +12,12 @@
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/selection.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_NR >= 1060000000
+#  include <CGAL/Polygon_mesh_processing/Adaptive_sizing_field.h>
+#endif
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -35,6 +40,7 @@ using Face = Mesh::Face_index;
 struct Before
 {
   static constexpr const char* NAME = "Polygon_mesh_processing";
+  static constexpr bool TAKES_FUNCTIONS = false;
   template <class... Arguments>
   static void isotropic_remeshing(Arguments&&... arguments)
   {
@@ -45,6 +51,7 @@ struct Before
 struct After
 {
   static constexpr const char* NAME = "Inter_angle_remeshing";
+  static constexpr bool TAKES_FUNCTIONS = true;
   template <class... Arguments>
   static void isotropic_remeshing(Arguments&&... arguments)
   {
@@ -88,6 +95,37 @@ Mesh patch(Mesh mesh)
   return mesh;
 }
 
+// What PMP takes for a length that differs from place to place: in CGAL 6 one of its sizing fields, before that nothing, and the
+// mean will have to do. This package takes CGAL 6's fields, too, and functions of the position.
+struct Finer_at_the_left
+{
+  double shortest, longest, left, right;
+
+  double operator()(const Point& p) const { return shortest + (longest - shortest) * (p.x() - left) / (right - left); }
+};
+
+template <class Package>
+Mesh graded_mesh(Mesh mesh)
+{
+  const auto by_x = [&](Mesh::Vertex_index u, Mesh::Vertex_index v) { return mesh.point(u).x() < mesh.point(v).x(); };
+  const auto ends = std::minmax_element(mesh.vertices_begin(), mesh.vertices_end(), by_x);
+  const double mean = mean_edge_length(mesh);
+  const Finer_at_the_left length{.5 * mean, 1.5 * mean, mesh.point(*ends.first).x(), mesh.point(*ends.second).x()};
+  const auto np = parameters::number_of_iterations(5).number_of_relaxation_steps(3);
+  if constexpr(Package::TAKES_FUNCTIONS)
+    Package::isotropic_remeshing(mesh.faces(), length, mesh, np);
+  else
+  {
+#if CGAL_VERSION_NR >= 1060000000
+    PMP::Adaptive_sizing_field<Mesh> field(.05 * mean, std::make_pair(length.shortest, length.longest), mesh.faces(), mesh);
+    Package::isotropic_remeshing(mesh.faces(), field, mesh, np);
+#else
+    Package::isotropic_remeshing(mesh.faces(), mean, mesh, np);
+#endif
+  }
+  return mesh;
+}
+
 template <class Package>
 void print(const char* what, const Mesh& mesh)
 {
@@ -101,6 +139,7 @@ void run_all(const Mesh& input)
 {
   print<Package>("whole mesh", whole_mesh<Package>(input));
   print<Package>("patch", patch<Package>(input));
+  print<Package>("graded mesh", graded_mesh<Package>(input));
 }
 
 int main(int argc, char** argv)
