@@ -1,21 +1,26 @@
 // Copyright (c) 2026 The Inter_angle_remeshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The parameters that this package shares with CGAL::Polygon_mesh_processing::isotropic_remeshing(). Both functions are run
-// with the same arguments: what one keeps, the other one keeps, too, or better.
+// What this package shares with CGAL::Polygon_mesh_processing::isotropic_remeshing(): its parameters, and what its users rely
+// on without having asked for it. Both functions are run with the same arguments: what one keeps, the other one keeps, too,
+// or better. In the end, what that package's own tests of the function look at.
 
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include "check.h"
 #include "invariants.h"
 #include "meshes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <random>
 #include <set>
@@ -313,6 +318,481 @@ void an_empty_range_changes_nothing()
   CHECK_MESSAGE(meshes::Picture<Mesh>(m) == before, Engine::NAME);
 }
 
+// --- ranges ------------------------------------------------------------------------------------------------------
+
+using Faces = std::vector<Face>;
+
+double radius(const Point& p) { return std::sqrt((p - CGAL::ORIGIN).squared_length()); }
+
+Point centroid(Face f, const Mesh& m)
+{
+  const auto p = corners(f, m);
+  return CGAL::centroid(p[0], p[1], p[2]);
+}
+
+template <class Predicate>
+Faces faces_where(const Mesh& m, const Predicate& is_wanted)
+{
+  Faces result;
+  for(const Face f : m.faces())
+    if(is_wanted(centroid(f, m)))
+      result.push_back(f);
+  return result;
+}
+
+// The faces outside of a range, with all that they refer to. Polygon_mesh_processing may bisect and delete faces at the
+// border of the range; here none is touched.
+template <class Engine>
+class Outside
+{
+public:
+  Outside(const Faces& range, const Mesh& m)
+  {
+    const std::set<Face> inside(range.begin(), range.end());
+    std::set<Vertex> touched;
+    if(!Engine::IS_OURS)
+      for(const Face f : range)
+        for(const Vertex v : m.vertices_around_face(m.halfedge(f)))
+          touched.insert(v);
+    for(const Face f : m.faces())
+    {
+      const auto around = m.vertices_around_face(m.halfedge(f));
+      if(inside.count(f) == 0 && std::none_of(around.begin(), around.end(), [&](Vertex v) { return touched.count(v) > 0; }))
+        faces_.push_back(f);
+    }
+    rows_ = rows(m);
+  }
+
+  std::size_t number_of_faces() const { return faces_.size(); }
+
+  bool is_untouched(const Mesh& m) const
+  {
+    return std::none_of(faces_.begin(), faces_.end(), [&](Face f) { return m.is_removed(f); }) && rows(m) == rows_;
+  }
+
+private:
+  using Row = std::pair<decltype(meshes::row(Mesh::Halfedge_index(), std::declval<const Mesh&>())), meshes::Bits>;
+
+  std::vector<Row> rows(const Mesh& m) const
+  {
+    std::vector<Row> result;
+    for(const Face f : faces_)
+      for(const auto h : m.halfedges_around_face(m.halfedge(f)))
+        result.emplace_back(meshes::row(h, m), meshes::bits(m.point(m.target(h))));
+    return result;
+  }
+
+  Faces faces_;
+  std::vector<Row> rows_;
+};
+
+// Remeshes a range, and checks the whole; returns whether all else is as it was.
+template <class Engine>
+bool leaves_the_rest_alone(const Faces& range, double length, Mesh& m, const char* name)
+{
+  const Topology before = topology(m);
+  const Outside<Engine> outside(range, m);
+  Engine::run(range, length, m, parameters::number_of_iterations(3));
+  CHECK_MESSAGE(m.is_valid() && !has_double_edges(m), Engine::NAME << ", " << name << ", " << length);
+  CHECK_MESSAGE(topology(m) == before, Engine::NAME << ", " << name << ", " << length << ": " << topology(m));
+  return outside.is_untouched(m);
+}
+
+template <class Engine>
+void run_on_range(const Faces& range, double length, Mesh& m, const char* name)
+{
+  CHECK_MESSAGE(leaves_the_rest_alone<Engine>(range, length, m, name), Engine::NAME << ", " << name << ", " << length);
+}
+
+template <class Engine>
+void faces_outside_of_the_range_are_left_alone()
+{
+  for(const double factor : {.5, 1., 2.})
+  {
+    Mesh m = sphere();
+    const std::size_t faces = m.number_of_faces();
+    const double length = factor * mean_edge_length(m);
+    run_on_range<Engine>(faces_where(m, [](const Point& p) { return p.z() > .1; }), length, m, "half of a sphere");
+    CHECK(m.number_of_faces() != faces);
+    // a range with a hole
+    run_on_range<Engine>(faces_where(m, [](const Point& p) { return p.z() < -.1 && p.x() * p.x() + p.y() * p.y() > .2; }),
+                         length, m, "a ring");
+    // and one that consists of two parts
+    run_on_range<Engine>(faces_where(m, [](const Point& p) { return std::abs(p.x()) > .7; }), length, m, "two caps");
+  }
+}
+
+// Quarters of a square that bends, one after the other: what the first runs made is outside of the later ones.
+template <class Engine>
+void several_ranges_one_after_the_other()
+{
+  Mesh m = meshes::to_mesh<Mesh>(meshes::square(16));
+  for(const Vertex v : m.vertices())
+    m.point(v) = Point(m.point(v).x(), m.point(v).y(), .1 * std::sin(4 * m.point(v).x()));
+  const double length = 1.5 * mean_edge_length(m);
+  for(int k = 0; k < 4; ++k)
+    run_on_range<Engine>(faces_where(m, [&](const Point& p) { return (p.x() > .5) == (k % 2 == 1) && (p.y() > .5) == (k / 2 == 1); }),
+                         length, m, "quarter");
+  CHECK(std::abs(double(m.number_of_faces()) / (512 / (1.5 * 1.5)) - 1) < .5);
+}
+
+// (Polygon_mesh_processing of CGAL 5.5 pulls the vertices of the other components onto the one.)
+template <class Engine>
+void one_component_of_several_is_remeshed()
+{
+  const Soup ball = meshes::sphere(2);
+  Mesh m = meshes::to_mesh<Mesh>(ball.joined_with(ball.moved(3, 0, 0)).joined_with(ball.moved(0, 3, 0)));
+  const auto is_second = [](const Point& p) { return p.x() > 1.5; };
+  const Faces range = faces_where(m, is_second);
+  CHECK(3 * range.size() == m.number_of_faces());
+  const std::size_t others = 2 * range.size();
+  const bool is_rest_as_it_was = leaves_the_rest_alone<Engine>(range, .5 * mean_edge_length(m), m, "a sphere of three");
+  CHECK(m.number_of_faces() - others > 2 * range.size());
+  if(Engine::IS_OURS)
+    CHECK(is_rest_as_it_was && faces_where(m, is_second).size() == m.number_of_faces() - others);
+}
+
+// Next to other faces its edges are not split here, so there is nothing to do; Polygon_mesh_processing bisects the neighbors.
+template <class Engine>
+void one_face_is_remeshed()
+{
+  Mesh m = meshes::to_mesh<Mesh>(meshes::octahedron());
+  run_on_range<Engine>({Face(3)}, .4, m, "one face");
+  CHECK(Engine::IS_OURS ? m.number_of_faces() == 8 : m.number_of_faces() > 8);
+  Mesh alone = meshes::to_mesh<Mesh>(Soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  run_on_range<Engine>({Face(0)}, .2, alone, "a triangle alone");
+  CHECK(alone.number_of_faces() > 8);
+  double area = 0;
+  for(const Face f : alone.faces())
+    area += std::sqrt(normal(f, alone).squared_length()) / 2;
+  CHECK_MESSAGE(!Engine::IS_OURS || std::abs(area - .5) < 1e-9, area);
+}
+
+// A range costs what it has, and not what the mesh has: its arrays move seldom, though every range makes elements. Each move
+// makes room for at least a sixteenth more.
+void small_ranges_do_not_move_the_mesh()
+{
+  Mesh m = meshes::to_mesh<Mesh>(meshes::sphere(5));
+  const double length = .5 * mean_edge_length(m);
+  const Mesh copy = m;      // whose arrays have no room to spare
+  m = copy;
+  const std::size_t before = m.number_of_vertices();
+  std::size_t moves = 0;
+  constexpr int RANGES = 40;
+  for(int k = 0; k < RANGES; ++k)
+  {
+    const double angle = 2 * CGAL_PI * k / RANGES;
+    const Point p(std::cos(angle), std::sin(angle), 0);
+    const Faces range = faces_where(m, [&](const Point& q) { return CGAL::squared_distance(p, q) < .004; });
+    const Point* const place = &m.point(Vertex(0));
+    const std::size_t vertices = m.number_of_vertices();
+    CGAL::Inter_angle_remeshing::isotropic_remeshing(range, length, m, parameters::number_of_iterations(2));
+    CHECK(m.number_of_vertices() > vertices);
+    moves += &m.point(Vertex(0)) != place;
+  }
+  const double most = 1 + std::ceil(std::log(double(m.number_of_vertices()) / double(before)) / std::log(17. / 16));
+  CHECK_MESSAGE(double(moves) <= most && most < RANGES / 2, moves << " moves, at most " << most);
+}
+
+// --- what lies on the surface ------------------------------------------------------------------------------------
+
+// length 0: flips, relaxation and projection alone.
+template <class Engine>
+void with_length_0_no_vertex_comes_or_goes()
+{
+  Mesh m = sphere();
+  meshes::scramble(m, [](std::size_t edge) { return edge % 5 == 0; });
+  const Mesh input = m;
+  Engine::run(m.faces(), 0, m, parameters::number_of_iterations(3));
+  CHECK(m.number_of_vertices() == input.number_of_vertices() && m.number_of_faces() == input.number_of_faces());
+  CHECK(!m.has_garbage() && m.is_valid());
+  std::size_t moved = 0;
+  double lowest = 1, lowest_of_input = 1;
+  for(const Face f : input.faces())
+  {
+    const Vector n = normal(f, input);
+    lowest_of_input = (std::min)(lowest_of_input, (corners(f, input)[0] - CGAL::ORIGIN) * n / std::sqrt(n.squared_length()));
+  }
+  for(const Vertex v : m.vertices())
+  {
+    moved += m.point(v) != input.point(v);
+    lowest = (std::min)(lowest, radius(m.point(v)));
+  }
+  const auto has_regular_degree = [](const Mesh& g) {
+    return std::count_if(g.vertices_begin(), g.vertices_end(), [&](Vertex v) { return g.degree(v) == 6; });
+  };
+  CHECK_MESSAGE(moved > input.number_of_vertices() / 2, Engine::NAME);
+  CHECK_MESSAGE(has_regular_degree(m) > has_regular_degree(input), Engine::NAME);
+  CHECK_MESSAGE(lowest > lowest_of_input, Engine::NAME << ": " << lowest << ", " << lowest_of_input);
+}
+
+// Of the two ends of an edge that is collapsed the one stays that is bound: the end of a marked chain rather than its inside,
+// its inside rather than the rest. An edge between two vertices of the border that is none of the border's is not collapsed.
+template <class Engine>
+void collapses_keep_what_is_bound()
+{
+  Mesh m = meshes::to_mesh<Mesh>(meshes::square(16));
+  const Edge_map map = m.add_property_map<Edge, bool>("e:marked", false).first;
+  const auto is_marked = [&](Edge e) {
+    const Point &p = m.point(m.vertex(e, 0)), &q = m.point(m.vertex(e, 1));
+    return p.y() == .5 && q.y() == .5 && (std::min)(p.x(), q.x()) >= .25 && (std::max)(p.x(), q.x()) <= .75;
+  };
+  for(const Edge e : m.edges())
+    map[e] = is_marked(e);
+  const Topology before = topology(m);
+  Engine::run(m.faces(), 3 * mean_edge_length(m), m, parameters::edge_is_constrained_map(map).number_of_iterations(3));
+  CHECK(m.number_of_faces() < 2 * 16 * 16 / 4);
+  CHECK_MESSAGE(topology(m) == before, Engine::NAME);
+  double total = 0;
+  for(const Edge e : m.edges())
+  {
+    CHECK_MESSAGE(map[e] == is_marked(e), Engine::NAME);
+    if(map[e])
+      total += length_of(e, m);
+  }
+  CHECK_MESSAGE(std::abs(total - .5) < 1e-9, Engine::NAME << ": " << total);
+  const std::set<Point> points(m.points().begin(), m.points().end());
+  CHECK(points.count(Point(.25, .5, 0)) == 1 && points.count(Point(.75, .5, 0)) == 1);
+}
+
+// Faces of no area, at the middles of edges, are part of the input, and no part of its surface.
+template <class Engine>
+void degenerate_faces_do_no_harm()
+{
+  Soup soup = meshes::sphere(3);
+  const std::size_t faces = soup.faces.size();
+  for(std::size_t f = 0; f < faces; f += 9)
+  {
+    const auto [a, b, c] = soup.faces[f];
+    const std::size_t middle = soup.points.size();
+    std::array<double, 3> p;
+    for(int k = 0; k < 3; ++k)
+      p[k] = (soup.points[a][k] + soup.points[b][k]) / 2;
+    soup.points.push_back(p);
+    soup.faces[f] = {a, middle, c};
+    soup.faces.push_back({middle, b, c});
+    soup.faces.push_back({a, b, middle});
+  }
+  for(const double factor : {.7, 1.5})
+  {
+    Mesh m = meshes::to_mesh<Mesh>(soup);
+    const double length = factor * mean_edge_length(m);
+    Engine::run(m.faces(), length, m, parameters::number_of_iterations(5));
+    CHECK_MESSAGE(m.is_valid() && is_finite(m) && topology(m).is_closed(), Engine::NAME << ", " << factor);
+    double smallest = 1;
+    for(const Face f : m.faces())
+      smallest = (std::min)(smallest, std::sqrt(normal(f, m).squared_length()) / (length * length));
+    CHECK_MESSAGE(!Engine::IS_OURS || smallest > .2, Engine::NAME << ", " << factor << ": " << smallest);
+    for(const Point& p : m.points())
+      CHECK(std::abs(radius(p) - 1) < .02);
+  }
+}
+
+// Two spheres, the one closely inside of the other and looking inwards. Polygon_mesh_processing may pull vertices onto the
+// wrong one; here none is.
+template <class Engine>
+void a_near_sheet_is_another_one()
+{
+  Soup inner = meshes::sphere(3).scaled(.97);
+  for(auto& f : inner.faces)
+    std::swap(f[0], f[1]);
+  Mesh m = meshes::to_mesh<Mesh>(meshes::sphere(3).joined_with(inner));
+  const Mesh input = m;
+  Engine::run(m.faces(), 1.2 * mean_edge_length(m), m, parameters::number_of_iterations(5));
+  CHECK(m.is_valid() && topology(m) == topology(input));
+  if(!Engine::IS_OURS)
+    return;
+  CHECK(!does_self_intersect(m));
+  CHECK(number_of_flipped_faces(m, input) == 0);
+  for(const Face f : m.faces())
+  {
+    const bool is_outer = normal(f, m) * (centroid(f, m) - CGAL::ORIGIN) > 0;
+    for(const Point& p : corners(f, m))
+      CHECK((radius(p) > .985) == is_outer);
+  }
+}
+
+// Patches may be named by anything that can be compared.
+struct Room
+{
+  std::string name;
+  friend bool operator==(const Room& a, const Room& b) { return a.name == b.name; }
+};
+
+void patches_of_a_users_own_type_stay_apart()
+{
+  for(const bool is_whole : {true, false})
+  {
+    Mesh m = meshes::to_mesh<Mesh>(meshes::square(12));
+    const auto rooms = m.add_property_map<Face, Room>("f:room").first;
+    const auto room_at = [](const Point& p) { return Room{p.x() < .25 ? "hall" : p.y() < .5 ? "kitchen" : "chamber"}; };
+    for(const Face f : m.faces())
+      rooms[f] = room_at(centroid(f, m));
+    const Faces range = faces_where(m, [&](const Point& p) { return is_whole || p.x() < .75; });
+    CGAL::Inter_angle_remeshing::isotropic_remeshing(range, .06, m, parameters::face_patch_map(rooms).number_of_iterations(3));
+    CHECK(m.number_of_faces() > 2 * 12 * 12);
+    std::map<std::string, double> area;
+    for(const Face f : m.faces())
+    {
+      CHECK_MESSAGE(rooms[f] == room_at(centroid(f, m)), rooms[f].name << " at " << centroid(f, m));
+      area[rooms[f].name] += std::sqrt(normal(f, m).squared_length()) / 2;
+    }
+    CHECK(std::abs(area["hall"] - .25) < 1e-9 && std::abs(area["kitchen"] - .375) < 1e-9);
+  }
+}
+
+// A face that is no triangle: an exception, in release builds too. (Polygon_mesh_processing asserts, and may not return.)
+void a_face_that_is_no_triangle_is_refused()
+{
+  Mesh m = cube();
+  CGAL::Euler::join_face(*std::find_if(m.halfedges_begin(), m.halfedges_end(), [&](auto h) {
+    return normal(m.face(h), m) * normal(m.face(m.opposite(h)), m) > 0; }), m);
+  const meshes::Picture<Mesh> before(m);
+  CHECK_THROWS_AS(Ours::run(m.faces(), .1, m, parameters::default_values()), CGAL::Precondition_exception, "is not a triangle");
+  CHECK(meshes::Picture<Mesh>(m) == before);
+}
+
+// --- what Polygon_mesh_processing's own tests look at --------------------------------------------------------------
+
+// A patch whose border was split beforehand, then the whole at twice the length with that border protected and relaxed.
+template <class Engine>
+void a_patch_then_the_whole()
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  Mesh m = meshes::to_mesh<Mesh>(meshes::cube(4));
+  const double length = .12;
+  const Edge_map map = m.add_property_map<Edge, bool>("e:patch_border", false).first;
+  std::vector<Edge> border;
+  const auto is_on_top = [](const Point& p) { return p.z() == 1; };
+  for(const Edge e : m.edges())
+    if(is_on_top(centroid(m.face(m.halfedge(e, 0)), m)) != is_on_top(centroid(m.face(m.halfedge(e, 1)), m)))
+      border.push_back(e);
+  for(const Edge e : border)
+    map[e] = true;
+  CHECK(border.size() == 16);
+  PMP::split_long_edges(border, length, m, parameters::edge_is_constrained_map(map));
+  Faces patch;
+  PMP::connected_component(faces_where(m, is_on_top).front(), m, std::back_inserter(patch),
+                           parameters::edge_is_constrained_map(map));
+  CHECK(patch.size() == faces_where(m, is_on_top).size());
+  const Topology before = topology(m);
+  Engine::run(patch, length, m, parameters::number_of_iterations(2));
+  CHECK_MESSAGE(m.is_valid() && topology(m) == before && !does_self_intersect(m), Engine::NAME);
+
+  const auto marked = [&]() {
+    std::set<Ends> result;
+    for(const Edge e : m.edges())
+      if(map[e])
+        result.insert(ends(e, m));
+    return result;
+  };
+  const std::set<Ends> kept = marked();
+  CHECK(kept.size() >= 32 || !Engine::IS_OURS);
+  Engine::run(m.faces(), 2 * length, m, parameters::edge_is_constrained_map(map).protect_constraints(true)
+                                                  .number_of_iterations(2).relax_constraints(true).number_of_relaxation_steps(3));
+  CHECK_MESSAGE(m.is_valid() && topology(m) == before, Engine::NAME);
+  CHECK_MESSAGE(marked() == kept, Engine::NAME);
+}
+
+// Sharp edges found, split, and protected: all of them are there, and nothing intersects itself.
+template <class Engine>
+void protected_sharp_edges_leave_no_crossings()
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  Mesh m = cube();
+  const double length = .1;
+  const Edge_map map = m.add_property_map<Edge, bool>("e:sharp", false).first;
+  PMP::detect_sharp_edges(m, 60, map);
+  std::vector<Edge> sharp;
+  std::copy_if(m.edges_begin(), m.edges_end(), std::back_inserter(sharp), [&](Edge e) { return map[e]; });
+  CHECK(sharp.size() == 12 * 6);
+  PMP::split_long_edges(sharp, length, m, parameters::edge_is_constrained_map(map));
+  Engine::run(m.faces(), length, m, parameters::edge_is_constrained_map(map).protect_constraints(true)
+                                               .number_of_iterations(3).relax_constraints(true).number_of_relaxation_steps(3));
+  CHECK_MESSAGE(m.is_valid() && !does_self_intersect(m), Engine::NAME);
+  CHECK_MESSAGE(std::count_if(m.edges_begin(), m.edges_end(), [&](Edge e) { return map[e]; }) == 12 * 12, Engine::NAME);
+}
+
+// Four faces inside of a grid whose vertices and edges are all constrained, and may not be collapsed; the map is a dynamic one.
+template <class Engine>
+void everything_may_be_constrained()
+{
+  Mesh m = meshes::to_mesh<Mesh>(meshes::square(10).scaled(10));
+  const auto vertex_map = m.add_property_map<Vertex, bool>("v:all", true).first;
+  using Tag = CGAL::dynamic_edge_property_t<bool>;
+  const boost::property_map<Mesh, Tag>::type edge_map = get(Tag(), m);
+  for(const Edge e : m.edges())
+    put(edge_map, e, true);
+  const auto length_of_constraints = [&]() {
+    double result = 0;
+    for(const Edge e : m.edges())
+      if(get(edge_map, e))
+        result += length_of(e, m);
+    return result;
+  };
+  const double total = length_of_constraints();
+  const Mesh input = m;
+  const Face seed(90);
+  Faces range{seed};
+  for(const auto h : m.halfedges_around_face(m.halfedge(seed)))
+    range.push_back(m.face(m.opposite(h)));
+  CHECK(std::count(range.begin(), range.end(), m.null_face()) == 0);
+  const Outside<Engine> outside(range, m);
+  Engine::run(range, .5, m, parameters::vertex_is_constrained_map(vertex_map).edge_is_constrained_map(edge_map)
+                              .collapse_constraints(false).number_of_iterations(10).number_of_relaxation_steps(10));
+  CHECK(outside.number_of_faces() > 150 && outside.is_untouched(m));
+  CHECK(m.number_of_faces() > 200 && m.is_valid());
+  for(const Vertex v : input.vertices())
+    CHECK_MESSAGE(!m.is_removed(v) && (!Engine::IS_OURS || m.point(v) == input.point(v)), Engine::NAME);
+  CHECK_MESSAGE(std::abs(length_of_constraints() - total) < 1e-9, Engine::NAME << ": " << length_of_constraints() - total);
+}
+
+// The measures of their test of quality: smallest angles, and 6 / sqrt(3) area / (half the circumference times the longest edge).
+struct Quality
+{
+  double smallest_angle = 180, mean_smallest_angle = 0, smallest = 1, mean = 0;
+};
+
+Quality quality(const Mesh& m)
+{
+  Quality result;
+  for(const Face f : m.faces())
+  {
+    const auto p = corners(f, m);
+    std::array<double, 3> length;
+    double smallest_angle = 180;
+    for(int k = 0; k < 3; ++k)
+    {
+      length[k] = std::sqrt(CGAL::squared_distance(p[k], p[(k + 1) % 3]));
+      smallest_angle = (std::min)(smallest_angle, CGAL::approximate_angle(p[k], p[(k + 1) % 3], p[(k + 2) % 3]));
+    }
+    const double q = 2 * std::sqrt(3.) * std::sqrt(normal(f, m).squared_length()) /
+                     ((length[0] + length[1] + length[2]) * *std::max_element(length.begin(), length.end()));
+    result.smallest_angle = (std::min)(result.smallest_angle, smallest_angle);
+    result.smallest = (std::min)(result.smallest, q);
+    result.mean_smallest_angle += smallest_angle / double(m.number_of_faces());
+    result.mean += q / double(m.number_of_faces());
+  }
+  return result;
+}
+
+void triangles_are_better()
+{
+  for(const double factor : {.7, 1., 1.4})
+  {
+    Mesh ours = meshes::to_mesh<Mesh>(meshes::torus(40, 24, .4)), theirs = ours;
+    const double length = factor * mean_edge_length(ours);
+    Ours::run(ours.faces(), length, ours, parameters::number_of_iterations(5));
+    Pmp::run(theirs.faces(), length, theirs, parameters::number_of_iterations(5));
+    const Quality a = quality(ours), b = quality(theirs);
+    CHECK_MESSAGE(a.smallest_angle > b.smallest_angle, factor << ": " << a.smallest_angle << ", " << b.smallest_angle);
+    CHECK_MESSAGE(a.mean_smallest_angle > b.mean_smallest_angle,
+                  factor << ": " << a.mean_smallest_angle << ", " << b.mean_smallest_angle);
+    CHECK_MESSAGE(a.smallest > b.smallest, factor << ": " << a.smallest << ", " << b.smallest);
+    CHECK_MESSAGE(a.mean > b.mean && a.mean > .85, factor << ": " << a.mean << ", " << b.mean);
+  }
+}
+
 template <class Engine>
 void check_all()
 {
@@ -326,6 +806,20 @@ void check_all()
   topology_is_kept<Engine>();
   isolated_vertices_and_garbage_stay<Engine>();
   an_empty_range_changes_nothing<Engine>();
+
+  faces_outside_of_the_range_are_left_alone<Engine>();
+  several_ranges_one_after_the_other<Engine>();
+  one_component_of_several_is_remeshed<Engine>();
+  one_face_is_remeshed<Engine>();
+
+  with_length_0_no_vertex_comes_or_goes<Engine>();
+  collapses_keep_what_is_bound<Engine>();
+  degenerate_faces_do_no_harm<Engine>();
+  a_near_sheet_is_another_one<Engine>();
+
+  a_patch_then_the_whole<Engine>();
+  protected_sharp_edges_leave_no_crossings<Engine>();
+  everything_may_be_constrained<Engine>();
 }
 
 int main()
@@ -334,5 +828,9 @@ int main()
   check_all<Ours>();
   // With protected edges longer than 4/3 of the length, which Polygon_mesh_processing rules out: it may never return.
   protected_edges_are_kept<Ours>(.3);
+  small_ranges_do_not_move_the_mesh();
+  patches_of_a_users_own_type_stay_apart();
+  a_face_that_is_no_triangle_is_refused();
+  triangles_are_better();
   return result();
 }

@@ -61,6 +61,14 @@ void refusals_hold_in_release_builds()
   CHECK_MESSAGE(is_release || is_small_run(), "build this test with NDEBUG: CGAL's own checks must be off");
 }
 
+template <class Value>
+std::string to_text(const Value& value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
 // `call(mesh)` is refused with a message that contains `text`, and the mesh stays as it was.
 template <class Graph, class Call>
 void check_refused(Graph& g, const std::string& text, const Call& call)
@@ -146,8 +154,8 @@ void a_range_that_is_one_point_is_refused()
 void lengths_that_are_none_are_refused()
 {
   check_refused("target edge length", [](Mesh& g) { IAR::isotropic_remeshing(-1., g); });
-  check_refused("target edge length", [](Mesh& g) { IAR::isotropic_remeshing(-1, g); });
-  check_refused("target edge length", [](Mesh& g) { IAR::isotropic_remeshing(-1e-300, g); });
+  check_refused("target edge length is -1", [](Mesh& g) { IAR::isotropic_remeshing(-1, g); });
+  check_refused("target edge length is -1e-300", [](Mesh& g) { IAR::isotropic_remeshing(-1e-300, g); });
   check_refused("must be finite", [](Mesh& g) { IAR::isotropic_remeshing(NOT_A_NUMBER, g); });
   check_refused("must be finite", [](Mesh& g) { IAR::isotropic_remeshing(INFINITE, g); });
   check_refused("must be finite", [](Mesh& g) { IAR::isotropic_remeshing(-INFINITE, g); });
@@ -159,7 +167,7 @@ void lengths_that_make_too_many_faces_are_refused()
   // The sphere's area is less than 4 pi, so of equilateral triangles of area sqrt(3) / 4 l^2 about 29 / l^2 are needed,
   // which is 2.9e9 for 1e-4 and 2.9e8 for 3.2e-4; 3.6e8 can be had.
   for(const double length : {1e-4, 1e-9, 1e-100, 1e-200, 1e-320})
-    check_refused("so small", [&](Mesh& g) { IAR::isotropic_remeshing(length, g); });
+    check_refused("target edge length is " + to_text(length) + ", so small", [&](Mesh& g) { IAR::isotropic_remeshing(length, g); });
   check_refused("so small", [&](Mesh& g) { IAR::isotropic_remeshing(IAR::Face_count(1000000000000), g); });
   // at another scale, where the length is no small number
   Mesh large = to_mesh<Mesh>(sphere(1).scaled(1e12));
@@ -182,9 +190,9 @@ void parameters_out_of_their_range_are_refused()
     check_refused(text, [&](Mesh& g) { IAR::isotropic_remeshing(.3, g, np); });
   };
   for(const double angle : {-1., -1e-9, 180.001, 1000., NOT_A_NUMBER, INFINITE})
-    check("sharpness_angle", parameters::sharpness_angle(angle));
-  check("number_of_iterations", parameters::number_of_iterations(-1));
-  check("number_of_relaxation_steps", parameters::number_of_relaxation_steps(-2));
+    check("sharpness_angle is " + to_text(angle), parameters::sharpness_angle(angle));
+  check("number_of_iterations is -1", parameters::number_of_iterations(-1));
+  check("number_of_relaxation_steps is -2", parameters::number_of_relaxation_steps(-2));
 
   // at the ends of the ranges nothing is refused
   Mesh m = to_mesh<Mesh>(sphere(1));
@@ -209,6 +217,7 @@ void recipes_out_of_range_are_refused()
     if(is_refused)
     {
       check_refused(text, [&](Mesh& g) { IAR::isotropic_remeshing(.4, g, IAR::recipe(r)); });
+      check_refused(to_text(value), [&](Mesh& g) { IAR::isotropic_remeshing(.4, g, IAR::recipe(r)); });
       return;
     }
     Mesh m = to_mesh<Mesh>(sphere(1));
@@ -238,6 +247,9 @@ void recipes_out_of_range_are_refused()
   check("collapse_tolerance", &IAR::Recipe::collapse_tolerance, -.1, true);
   check("collapse_tolerance", &IAR::Recipe::collapse_tolerance, NOT_A_NUMBER, true);
   check("collapse_tolerance", &IAR::Recipe::collapse_tolerance, 0., false);
+  check("grading", &IAR::Recipe::grading, -.1, true);
+  check("grading", &IAR::Recipe::grading, NOT_A_NUMBER, true);
+  check("grading", &IAR::Recipe::grading, 0., false);
   check("distance_tolerance", &IAR::Recipe::distance_tolerance, -.1, true);
   check("distance_tolerance", &IAR::Recipe::distance_tolerance, NOT_A_NUMBER, true);
   check("distance_tolerance", &IAR::Recipe::distance_tolerance, 0., false);

@@ -12,17 +12,12 @@
 #include <CGAL/Inter_angle_remeshing/Policies/Inter_angle_split_policy.h>
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
 #include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
-#include <CGAL/Inter_angle_remeshing/internal/default_policies.h>
-#include <CGAL/Inter_angle_remeshing/internal/named_parameters.h>
-#include <CGAL/Inter_angle_remeshing/internal/remesh_range.h>
+#include <CGAL/Inter_angle_remeshing/internal/Argument_check.h>
+#include <CGAL/Inter_angle_remeshing/internal/remesh_by_parameters.h>
 #include <CGAL/Inter_angle_remeshing/target_edge_length.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
-
-#include <cmath>
-#include <functional>
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -209,48 +204,9 @@ template <class ConcurrencyTag = CGAL::Sequential_tag, class FaceRange, class Le
 Remeshing_report isotropic_remeshing(const FaceRange& faces, const Length& length, TriangleMesh& tmesh,
                                      const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  namespace tags = CGAL::internal_np;
-  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-
-  internal::refuse_unsupported<CGAL_NP_CLASS>();
-  const Recipe recipe = choose_parameter(get_parameter(np, internal::recipe_tag), Recipe());
-  const auto make_policy = [](const auto& given, const auto& preset) {
-    return internal::policy_from<Vertex>(given, preset);
-  };
-  auto vpm = choose_parameter(get_parameter(np, tags::vertex_point), get_property_map(CGAL::vertex_point, tmesh));
-  internal::check_length_type<Length, TriangleMesh, typename boost::property_traits<decltype(vpm)>::value_type>();
-  auto ecm = internal::or_no_map(get_parameter(np, tags::edge_is_constrained));
-  auto vcm = internal::or_no_map(get_parameter(np, tags::vertex_is_constrained));
-  auto fpm = internal::or_no_map(get_parameter(np, tags::face_patch));
-  auto split = make_policy(get_parameter(np, tags::do_split), internal::default_split_policy(recipe.policies));
-  auto collapse = make_policy(get_parameter(np, tags::do_collapse), internal::default_collapse_policy(recipe.policies));
-  auto flip = make_policy(get_parameter(np, tags::do_flip), internal::default_flip_policy(recipe.policies));
-  auto projection = internal::or_no_map(get_parameter(np, tags::projection_functor));
-  auto given_visitor = get_parameter(np, tags::visitor);
-  auto visitor = internal::visitor_from(given_visitor);
-
-  internal::Remeshing_parameters<decltype(vpm), decltype(ecm), decltype(vcm), decltype(fpm), decltype(split),
-                                 decltype(collapse), decltype(flip), decltype(projection), decltype(visitor)>
-    parameters{vpm, ecm, vcm, fpm, split, collapse, flip, projection, visitor, recipe,
-               internal::Schedule{internal::count_from(choose_parameter(get_parameter(np, tags::number_of_iterations), 10u),
-                                                    "number_of_iterations"), 0,
-                                  internal::callback_from(get_parameter(np, tags::callback)),
-                                  choose_parameter(get_parameter(np, tags::verbose), false)},
-               internal::Constraint_settings{
-                 internal::sharpness_cosine(choose_parameter(get_parameter(np, tags::sharpness_angle), 180)),
-                 choose_parameter(get_parameter(np, tags::protect_constraints), false),
-                 choose_parameter(get_parameter(np, tags::relax_constraints), true),
-                 !internal::has_parameter<CGAL_NP_CLASS, tags::edge_is_constrained_t>() &&
-                   !internal::has_parameter<CGAL_NP_CLASS, tags::sharpness_angle_t>()},
-               choose_parameter(get_parameter(np, tags::collapse_constraints), true),
-               choose_parameter(get_parameter(np, tags::do_project), true),
-               recipe.policies == Recipe::Policies::measured && internal::is_left_to_the_recipe(get_parameter(np, tags::do_split)) &&
-                 internal::is_left_to_the_recipe(get_parameter(np, tags::do_collapse)) &&
-                 internal::is_left_to_the_recipe(get_parameter(np, tags::do_flip))};
-  internal::set_sweeps(parameters.recipe, get_parameter(np, tags::number_of_relaxation_steps));
-  return internal::remesh_range<ConcurrencyTag>(faces, length, tmesh, parameters);
+  if constexpr (internal::Argument_check<ConcurrencyTag, FaceRange, Length, TriangleMesh, CGAL_NP_CLASS>::IS_PASSED)
+    return internal::remesh_by_parameters<ConcurrencyTag>(faces, length, tmesh, np);
+  else return {};
 }
 
 /*!
@@ -263,7 +219,9 @@ template <class ConcurrencyTag = CGAL::Sequential_tag, class Length, class Trian
 Remeshing_report isotropic_remeshing(const Length& length, TriangleMesh& tmesh,
                                      const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  return isotropic_remeshing<ConcurrencyTag>(faces(tmesh), length, tmesh, np);
+  if constexpr (internal::Mesh_check<TriangleMesh>::IS_PASSED)
+    return isotropic_remeshing<ConcurrencyTag>(faces(tmesh), length, tmesh, np);
+  else return {};
 }
 
 } // namespace Inter_angle_remeshing

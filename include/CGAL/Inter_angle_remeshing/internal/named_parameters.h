@@ -24,37 +24,14 @@
 #include <string>
 #include <type_traits>
 
-// From what get_parameter() yields to what the remesher takes. What does not fit is refused in words: by a
-// static_assert where the type is wrong, by an exception where the value is.
+// From what get_parameter() yields to what the remesher takes. Types have passed Argument_check; a value that is wrong is
+// refused in words.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
 using Not_given = CGAL::internal_np::Param_not_found;
-
-template <class Field, class TriangleMesh, class Point_3>
-constexpr bool is_field()
-{
-  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  return Is_sizing_field<Field, Vertex, TriangleMesh>::value || std::is_invocable_r<double, const Field&, const Point_3&>::value;
-}
-
-template <class Length, class TriangleMesh, class Point_3>
-constexpr void check_length_type()
-{
-  if constexpr (Is_scaled_field<Length>::value) {
-    using Field = std::decay_t<decltype(referred_length(std::declval<const Length&>().field))>;
-    static_assert(is_field<Field, TriangleMesh, Point_3>(),
-                  "isotropic_remeshing(): Face_count::scaling() takes a sizing field with `at(vertex, mesh)`, or a function "
-                  "`FT operator()(const Point_3&) const`.");
-  } else {
-    using Field = std::decay_t<decltype(referred_length(std::declval<const Length&>()))>;
-    static_assert(std::is_same<Length, Face_count>::value || Is_number<Length>::value || is_field<Field, TriangleMesh, Point_3>(),
-                  "isotropic_remeshing(): the length must be a number, Face_count(n), a sizing field with `at(vertex, mesh)`, or "
-                  "a function `FT operator()(const Point_3&) const`.");
-  }
-}
 
 template <class NamedParameters, class Tag>
 constexpr bool has_parameter()
@@ -63,34 +40,18 @@ constexpr bool has_parameter()
   return !std::is_same<Given, Not_given>::value;
 }
 
-// Parameters of PMP's function, or of its siblings, that a user may expect to work.
-template <class NamedParameters>
-constexpr void refuse_unsupported()
-{
-  static_assert(!has_parameter<NamedParameters, CGAL::internal_np::allow_move_functor_t>(),
-                "isotropic_remeshing(): allow_move_functor is not supported; constrain vertices by "
-                "vertex_is_constrained_map.");
-}
-
 inline No_map or_no_map(const Not_given&) { return {}; }
 template <class Map>
 Map or_no_map(const Map& map) { return map; }
 
-template <class Vertex, class Preset>
+template <class Preset>
 Preset policy_from(const Not_given&, const Preset& preset) { return preset; }
 
 // A policy, or a bool that stands for all edges.
-template <class Vertex, class Given, class Preset>
+template <class Given, class Preset>
 auto policy_from(const Given& given, const Preset&)
 {
-  if constexpr (std::is_arithmetic<Given>::value)
-    return bool(given);
-  else {
-    static_assert(std::is_invocable_r<bool, const Given&, const Run_profile<Vertex>&>::value,
-                  "do_split, do_collapse, do_flip: expected a bool or a policy "
-                  "`template <class Profile> bool operator()(const Profile&) const`.");
-    return given;
-  }
+  if constexpr (std::is_arithmetic<Given>::value) return bool(given); else return given;
 }
 
 // Whether no rule of the user's was given.
@@ -112,8 +73,6 @@ inline std::function<bool(double)> callback_from(const Not_given&) { return {}; 
 template <class Callback>
 std::function<bool(double)> callback_from(const Callback& callback)
 {
-  static_assert(std::is_convertible<Callback, std::function<bool(double)>>::value,
-                "callback: expected a functor `bool operator()(double)`: progress in, whether to go on out.");
   return callback;
 }
 
@@ -122,14 +81,13 @@ double sharpness_cosine(const Angle& angle)
 {
   const double degrees = CGAL::to_double(angle);
   if (!(degrees >= 0 && degrees <= 180))
-    refuse("isotropic_remeshing()", "sharpness_angle is " + std::to_string(degrees) + "; it must lie in [0, 180]");
+    refuse("isotropic_remeshing()", "sharpness_angle is " + to_text(degrees) + "; it must lie in [0, 180]");
   return degrees < 180 ? std::cos(degrees * (CGAL_PI / 180)) : -2;
 }
 
 template <class Count>
 unsigned count_from(const Count& count, const char* name)
 {
-  static_assert(std::is_integral<Count>::value, "number_of_iterations, number_of_relaxation_steps: expected an integer.");
   if (count < Count(0) || static_cast<unsigned long long>(count) > (std::numeric_limits<unsigned>::max)())
     refuse("isotropic_remeshing()", std::string(name) + " is " + std::to_string(count) +
                                     "; it must be neither negative nor more than an unsigned int holds");

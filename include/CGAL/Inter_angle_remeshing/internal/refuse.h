@@ -7,6 +7,7 @@
 
 #include <CGAL/exceptions.h>
 
+#include <cstdio>
 #include <string>
 
 namespace CGAL {
@@ -19,6 +20,14 @@ constexpr const char* REMESHING = "isotropic_remeshing()";
 [[noreturn]] inline void refuse(const char* function, const std::string& what_is_wrong)
 {
   throw CGAL::Precondition_exception("Inter_angle_remeshing", function, __FILE__, __LINE__, what_is_wrong);
+}
+
+// A value as it is told in a refusal: std::to_string() makes 0 of a small one.
+inline std::string to_text(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
 }
 
 } // namespace internal

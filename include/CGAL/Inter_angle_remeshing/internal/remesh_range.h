@@ -57,25 +57,25 @@ struct Remeshing_parameters
 inline void check_recipe(const Recipe& recipe)
 {
   if (!(recipe.split_ratio > 1 && recipe.split_ratio <= 2))
-    refuse(REMESHING, "Recipe::split_ratio is " + std::to_string(recipe.split_ratio) + "; it must lie in (1, 2]");
+    refuse(REMESHING, "Recipe::split_ratio is " + to_text(recipe.split_ratio) + "; it must lie in (1, 2]");
   if (!(recipe.collapse_ratio >= 0 && recipe.collapse_ratio < 1 &&
         1.2 * recipe.collapse_ratio <= recipe.split_ratio))
-    refuse(REMESHING, "Recipe::collapse_ratio is " + std::to_string(recipe.collapse_ratio) +
+    refuse(REMESHING, "Recipe::collapse_ratio is " + to_text(recipe.collapse_ratio) +
                       "; it must lie in [0, 1) and be at most split_ratio / 1.2");
   if (!(recipe.relaxation > 0 && recipe.relaxation <= 1.6))
-    refuse(REMESHING, "Recipe::relaxation is " + std::to_string(recipe.relaxation) + "; it must lie in (0, 1.6]");
+    refuse(REMESHING, "Recipe::relaxation is " + to_text(recipe.relaxation) + "; it must lie in (0, 1.6]");
   if (recipe.glide_depth > MAXIMUM_GLIDE_DEPTH)
     refuse(REMESHING, "Recipe::glide_depth is " + std::to_string(recipe.glide_depth) + "; at most " +
                       std::to_string(MAXIMUM_GLIDE_DEPTH) + " is possible");
   if (!(recipe.lower_angle >= 0 && recipe.lower_angle < 60 && recipe.upper_angle > 60 && recipe.upper_angle <= 180))
-    refuse(REMESHING, "the band of angles [" + std::to_string(recipe.lower_angle) + ", " +
-                      std::to_string(recipe.upper_angle) + "] of the recipe must lie in [0, 180] and hold 60 inside");
-  if (!(recipe.grading >= 0))
-    refuse(REMESHING, "Recipe::grading is negative or not a number");
-  if (!(recipe.distance_tolerance >= 0))
-    refuse(REMESHING, "Recipe::distance_tolerance is negative or not a number");
-  if (!(recipe.collapse_tolerance >= 0))
-    refuse(REMESHING, "Recipe::collapse_tolerance is negative or not a number");
+    refuse(REMESHING, "the band of angles [" + to_text(recipe.lower_angle) + ", " +
+                      to_text(recipe.upper_angle) + "] of the recipe must lie in [0, 180] and hold 60 inside");
+  const auto check_not_negative = [](double value, const char* name) {
+    if (!(value >= 0)) refuse(REMESHING, std::string("Recipe::") + name + " is " + to_text(value) + "; it must not be negative");
+  };
+  check_not_negative(recipe.grading, "grading");
+  check_not_negative(recipe.distance_tolerance, "distance_tolerance");
+  check_not_negative(recipe.collapse_tolerance, "collapse_tolerance");
 }
 
 template <class PatchMap, class Faces>

@@ -57,16 +57,16 @@ template <class Length>
 const Length& referred_length(const std::reference_wrapper<Length>& length) { return length.get(); }
 
 // A length so small that the result could not be indexed is refused, as is what is no length. Needles have edges to
-// split, though hardly an area.
-inline void check_length(double length, double area, double total_edge_length)
+// split, though hardly an area. `unit` is the unit of the arguments in the user's.
+inline void check_length(double length, double area, double total_edge_length, double unit)
 {
   if (!(length >= 0) || !std::isfinite(length))
-    refuse(REMESHING, "the target edge length is " + std::to_string(length) + "; it must be finite and not negative");
+    refuse(REMESHING, "the target edge length is " + to_text(unit * length) + "; it must be finite and not negative");
   constexpr double MAXIMUM_FACES = double((std::numeric_limits<Remeshing_mesh::Index>::max)() / 4) / 1.5;
   const double faces = (std::max)(4 * area / (std::sqrt(3.) * length * length), total_edge_length / length);
   if (length > 0 && faces > MAXIMUM_FACES)
-    refuse(REMESHING, "the target edge length is so small that about " + std::to_string(faces) +
-                      " faces were needed; at most " + std::to_string(MAXIMUM_FACES) + " can be indexed");
+    refuse(REMESHING, "the target edge length is " + to_text(unit * length) + ", so small that about " + to_text(faces) +
+                      " faces were needed; at most " + to_text(MAXIMUM_FACES) + " can be indexed");
 }
 
 template <class Length>
@@ -77,7 +77,7 @@ using Is_number = std::bool_constant<!std::is_same<typename CGAL::Algebraic_stru
 template <class Length>
 void check_length_value(const Length& length)
 {
-  if constexpr (Is_number<Length>::value) check_length(CGAL::to_double(length), 0, 0); else (void)length;
+  if constexpr (Is_number<Length>::value) check_length(CGAL::to_double(length), 0, 0, 1); else (void)length;
 }
 
 inline double length_for_faces(std::size_t n, double area)
@@ -133,7 +133,7 @@ Target read_target(const Length& length, Exchange& exchange, TriangleMesh& tmesh
     result.length = std::isfinite(wanted) ? wanted / mesh.unit() : wanted;
   } else
     result = read_field(referred_length(length), exchange, tmesh, vpm);
-  check_length(result.length, range_area, total_edge_length);
+  check_length(result.length, range_area, total_edge_length, mesh.unit());
   return result;
 }
 
