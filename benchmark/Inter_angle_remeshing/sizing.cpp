@@ -55,8 +55,8 @@ void print_row(const std::string& name, const char* who, const Mesh& input, cons
 {
   const auto angles = IAR::inter_angle_statistics(result);
   const auto distance = IAR::surface_distance(input, result);
-  std::printf("| %s | %s | %zu | %.0f..%.0f | %.1f | %.4f | %.2f | %.3f |\n", name.c_str(), who, std::size_t(result.number_of_faces()),
-              angles.minimum_angle, angles.maximum_angle, angles.average, 100 * distance.relative_mean(),
+  std::printf("| %s | %s | %zu | %.0f..%.0f | %.1f | %.4f | %.2f | %.3f |\n", name.c_str(), who,
+              std::size_t(result.number_of_faces()), angles.minimum_angle, angles.maximum_angle, angles.average, 100 * distance.relative_mean(),
               100 * distance.relative_hausdorff(), time);
   std::fflush(stdout);
 }

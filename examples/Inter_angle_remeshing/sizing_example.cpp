@@ -45,8 +45,8 @@ int main(int argc, char* argv[])
   uniform.collect_garbage();
   const double by_curvature = IAR::surface_distance(adaptive, input).relative_mean(),
                alike = IAR::surface_distance(uniform, input).relative_mean();
-  std::cout << number << " faces; mean distance, in percent of the diagonal: " << 100 * by_curvature << " with lengths by curvature, "
-            << 100 * alike << " with all alike\n";
+  std::cout << number << " faces; mean distance, in percent of the diagonal: " << 100 * by_curvature
+            << " with lengths by curvature, " << 100 * alike << " with all alike\n";
 
   // Half as many, sized by the same field.
   Mesh half = input;

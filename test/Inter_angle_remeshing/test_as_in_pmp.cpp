@@ -431,7 +431,8 @@ void several_ranges_one_after_the_other()
     m.point(v) = Point(m.point(v).x(), m.point(v).y(), .1 * std::sin(4 * m.point(v).x()));
   const double length = 1.5 * mean_edge_length(m);
   for(int k = 0; k < 4; ++k)
-    run_on_range<Engine>(faces_where(m, [&](const Point& p) { return (p.x() > .5) == (k % 2 == 1) && (p.y() > .5) == (k / 2 == 1); }),
+    run_on_range<Engine>(faces_where(m, [&](const Point& p) {
+      return (p.x() > .5) == (k % 2 == 1) && (p.y() > .5) == (k / 2 == 1); }),
                          length, m, "quarter");
   CHECK(std::abs(double(m.number_of_faces()) / (512 / (1.5 * 1.5)) - 1) < .5);
 }

@@ -99,8 +99,8 @@ public:
 
   /// adds an attribute of the vertices.
   /// @tparam VertexMap a class model of `ReadWritePropertyMap` with the vertices of `TriangleMesh` as key type
-  /// @tparam Interpolation a functor `Value operator()(const std::array<Value, 3>&, const std::array<double, 3>&) const` of the values
-  ///         at the corners of a face and the barycentric coordinates of a point on it, not negative and with sum 1
+  /// @tparam Interpolation a functor `Value operator()(const std::array<Value, 3>&, const std::array<double, 3>&) const` of the
+  ///         values at the corners of a face and the barycentric coordinates of a point on it, not negative and with sum 1
   template <class VertexMap, class Interpolation = Linear_interpolation>
   void add_vertex_map(VertexMap map, Interpolation interpolation = Interpolation())
   {

@@ -27,7 +27,9 @@ public:
   using Index = Remeshing_mesh::Index;
 
   // Lengths below are multiples of `length`.
-  Feature_graph(const Remeshing_mesh& mesh, double length) : mesh_(mesh), length_(length), number_(mesh.number_of_vertex_slots(), -1) {}
+  Feature_graph(const Remeshing_mesh& mesh, double length)
+    : mesh_(mesh), length_(length), number_(mesh.number_of_vertex_slots(), -1)
+  {}
 
   void add(Index h, double angle)
   {

@@ -52,7 +52,8 @@ public:
   Input_place place_of_face(const Remeshing_mesh& mesh, Index f) const
   {
     const auto& record = mesh.face_record(f);
-    const Vector3 centroid = (1. / 3) * (mesh.position(record.vertex[0]) + mesh.position(record.vertex[1]) + mesh.position(record.vertex[2]));
+    Vector3 centroid;
+    for (const Index v : record.vertex) centroid += (1. / 3) * mesh.position(v);
     return place(centroid, face_of_source_ == nullptr ? 0 : (*face_of_source_)[record.source]);
   }
 

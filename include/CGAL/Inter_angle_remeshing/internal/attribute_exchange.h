@@ -101,8 +101,9 @@ public:
 private:
   bool is_unmoved(const Remeshing_mesh& mesh, Index v) const
   {
-    return mesh.input(v) >= 0 &&
-           mesh.position(v) == (1 / mesh.unit()) * to_vector3(get(exchange_.vertex_points(), exchange_.input_vertices()[mesh.input(v)]));
+    if (mesh.input(v) < 0) return false;
+    const auto& point = get(exchange_.vertex_points(), exchange_.input_vertices()[mesh.input(v)]);
+    return mesh.position(v) == (1 / mesh.unit()) * to_vector3(point);
   }
 
   Visitor& visitor_;

@@ -45,7 +45,8 @@ struct Bilinear_form
   // The form u vᵀ + v uᵀ, by half.
   static Bilinear_form product(const Vector3& u, const Vector3& v)
   {
-    return {{u.x * v.x, u.y * v.y, u.z * v.z, (u.x * v.y + u.y * v.x) / 2, (u.y * v.z + u.z * v.y) / 2, (u.z * v.x + u.x * v.z) / 2}};
+    return {{u.x * v.x, u.y * v.y, u.z * v.z,
+             (u.x * v.y + u.y * v.x) / 2, (u.y * v.z + u.z * v.y) / 2, (u.z * v.x + u.x * v.z) / 2}};
   }
 };
 

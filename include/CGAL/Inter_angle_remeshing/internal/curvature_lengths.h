@@ -26,11 +26,11 @@ namespace internal {
 inline void check_curvature_lengths(const char* caller, double tolerance, const std::pair<double, double>& range, double gradation)
 {
   if (!(tolerance > 0) || !std::isfinite(tolerance))
-    refuse(caller, "the tolerance is " + std::to_string(tolerance) + "; it must be finite and positive");
+    refuse(caller, "the tolerance is " + to_text(tolerance) + "; it must be finite and positive");
   if (!(range.first > 0 && range.first <= range.second) || !std::isfinite(range.second))
-    refuse(caller, "the range of lengths is [" + std::to_string(range.first) + ", " + std::to_string(range.second) +
+    refuse(caller, "the range of lengths is [" + to_text(range.first) + ", " + to_text(range.second) +
                    "]; it must be finite, positive and not empty");
-  if (!(gradation > 0)) refuse(caller, "the gradation is " + std::to_string(gradation) + "; it must be positive");
+  if (!(gradation > 0)) refuse(caller, "the gradation is " + to_text(gradation) + "; it must be positive");
 }
 
 // Lowers lengths that rise faster than by `slope` along edges; from the shortest one on, each vertex is settled once.

@@ -102,7 +102,8 @@ private:
   // Lowers the parts beside the vertices of the queue that rise faster than by `rate` over a unit of length, as far as
   // `may_fall(v)` holds.
   template <class Predicate>
-  void bound_slope(const Remeshing_mesh& mesh, double target_length, double rate, std::vector<Index>& queue, const Predicate& may_fall)
+  void bound_slope(const Remeshing_mesh& mesh, double target_length, double rate, std::vector<Index>& queue,
+                   const Predicate& may_fall)
   {
     for (std::size_t i = 0; i < queue.size(); ++i) {
       const Index v = queue[i];

@@ -37,8 +37,8 @@ Value linear_combination(const std::array<Value, 3>& values, const std::array<do
     return Value(coefficients[0] * values[0] + coefficients[1] * values[1] + coefficients[2] * values[2]);
   else {
     static_assert(Is_point<Value>::value,
-                  "Attribute_transfer: values of this type cannot be interpolated linearly. Hand over a functor `Value operator()(const "
-                  "std::array<Value, 3>&, const std::array<double, 3>&) const`, or `Nearest_value()` for ids and labels.");
+                  "Attribute_transfer: values of this type cannot be interpolated linearly. Hand over a functor `Value operator()"
+                  "(const std::array<Value, 3>&, const std::array<double, 3>&) const`, or `Nearest_value()` for ids and labels.");
     return Value(CGAL::ORIGIN + (coefficients[0] * (values[0] - CGAL::ORIGIN) + coefficients[1] * (values[1] - CGAL::ORIGIN) +
                                  coefficients[2] * (values[2] - CGAL::ORIGIN)));
   }

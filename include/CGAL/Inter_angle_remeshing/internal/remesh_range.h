@@ -159,8 +159,8 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
     if (wanted.sizing.needs_places() || attributes.are_carried()) locator.emplace(projector, mesh);
     Remeshing_context context{mesh, parameters.recipe, curves, rule(parameters.split_policy), rule(parameters.collapse_policy),
                               rule(parameters.flip_policy), projector, parameters.visitor, parameters.may_collapse_constraints,
-                              target, parameters.may_subdivide, wanted.sizing, locator ? &*locator : nullptr, kind.is_cad && wanted.sizing.is_uniform() ? parameters.recipe.grading : 0.,
-                              Grading()};
+                              target, parameters.may_subdivide, wanted.sizing, locator ? &*locator : nullptr,
+                              kind.is_cad && wanted.sizing.is_uniform() ? parameters.recipe.grading : 0., Grading()};
     Remesher<ConcurrencyTag> remesher(context, parameters.schedule);
     const Remeshing_report result = remesher.run();
     is_to_be_written = remesher.is_at_finest_level();

@@ -182,9 +182,6 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
     return run_with_rule(mesh.unit(), true, [&](const Vector3& p) {
       return to_vector3(Point_3(functor(Point_3(p.x, p.y, p.z)))); }, run);
   else {
-    static_assert(std::is_invocable_r<Point_3, const Functor&, Vertex>::value,
-                  "projection_functor: expected a functor `Point_3 operator()(vertex_descriptor) const`, as in "
-                  "Polygon_mesh_processing, or `Point_3 operator()(const Point_3&) const`.");
     const Carrier_vertex<Functor, Vertex, decltype(parameters.vertex_point_map)> carrier(
       functor, exchange.input_vertices().front(), parameters.vertex_point_map);
     const Remeshing_report report = run_with_rule(mesh.unit(), false, std::cref(carrier), run);

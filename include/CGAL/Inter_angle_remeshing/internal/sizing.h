@@ -25,8 +25,8 @@ namespace internal {
 inline double checked_length(double length, const Vector3& place)
 {
   if (!(length > 0) || !std::isfinite(length))
-    refuse(REMESHING, "the sizing field is " + std::to_string(length) + " at (" + std::to_string(place.x) + ", " +
-                      std::to_string(place.y) + ", " + std::to_string(place.z) + "); it must be finite and positive");
+    refuse(REMESHING, "the sizing field is " + to_text(length) + " at (" + to_text(place.x) + ", " +
+                      to_text(place.y) + ", " + to_text(place.z) + "); it must be finite and positive");
   return length;
 }
 

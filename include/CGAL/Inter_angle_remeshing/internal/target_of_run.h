@@ -40,7 +40,8 @@ struct Target
 };
 
 template <class Field, class Vertex, class TriangleMesh>
-using Length_at_vertex = decltype(CGAL::to_double(std::declval<const Field&>().at(std::declval<Vertex>(), std::declval<TriangleMesh&>())));
+using Length_at_vertex =
+  decltype(CGAL::to_double(std::declval<const Field&>().at(std::declval<Vertex>(), std::declval<TriangleMesh&>())));
 template <class Field, class Vertex, class TriangleMesh, class = void>
 struct Is_sizing_field : std::false_type {};
 template <class Field, class Vertex, class TriangleMesh>
