@@ -6,6 +6,8 @@
 
 #include "invariants.h"
 
+#include <CGAL/Inter_angle_remeshing/Attribute_transfer.h>
+#include <CGAL/Inter_angle_remeshing/Curvature_sizing_field.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 #include <CGAL/Inter_angle_remeshing/triangle_quality.h>
 
@@ -178,6 +180,28 @@ struct Projected
   }
 };
 
+// Lengths by the curvature, then by the position, with an attribute that is carried over twice.
+struct Graded
+{
+  template <class ConcurrencyTag>
+  static std::size_t remesh(Mesh& mesh, double length)
+  {
+    const auto height = mesh.add_property_map<Vertex, double>("v:height", 0).first;
+    for(const Vertex v : mesh.vertices())
+      height[v] = mesh.point(v).z();
+    IAR::Attribute_transfer<Mesh> transfer;
+    transfer.add_vertex_map(height);
+    const IAR::Curvature_sizing_field<Mesh> curvature(.03 * length, {length / 2, 2 * length}, faces(mesh), mesh);
+    IAR::isotropic_remeshing<ConcurrencyTag>(curvature, mesh, parameters::visitor(std::ref(transfer)));
+    const auto wave = [=](const Point& p) { return length * (1 + .2 * std::sin(p.x() / length / 5)); };
+    IAR::isotropic_remeshing<ConcurrencyTag>(wave, mesh, parameters::visitor(std::ref(transfer)));
+    std::size_t hash = 0;
+    for(const Vertex v : mesh.vertices())
+      hash = hash * 1000003 + std::hash<double>()(height[v]);
+    return hash;
+  }
+};
+
 // --- runs, descriptors, types of meshes --------------------------------------------------------------------------
 
 void two_runs_agree()
@@ -279,6 +303,8 @@ void any_number_of_threads_yields_the_same()
   check_threads<Elaborate>(closed_input());
   check_threads<Elaborate>(input_with_border());
   check_threads<Elaborate>(input_with_features());
+  check_threads<Graded>(closed_input());
+  check_threads<Graded>(input_with_border());
   Input sphere("sphere");
   sphere.mesh = meshes::to_mesh<Mesh>(meshes::sphere(meshes::is_small_run() ? 2 : 5));
   check_threads<Projected>(sphere);
