@@ -209,6 +209,7 @@ Remeshing_report isotropic_remeshing(const FaceRange& faces, const Length& lengt
   namespace tags = CGAL::internal_np;
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
+  internal::check_mesh_type<TriangleMesh>();
   internal::check_length_type<Length>();
   internal::refuse_unsupported<CGAL_NP_CLASS>();
   const Recipe recipe = choose_parameter(get_parameter(np, internal::recipe_tag), Recipe());

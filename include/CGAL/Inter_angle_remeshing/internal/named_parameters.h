@@ -22,6 +22,7 @@
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 // From what get_parameter() yields to what the remesher takes. What does not fit is refused in words: by a
 // static_assert where the type is wrong, by an exception where the value is.
@@ -39,6 +40,26 @@ constexpr void check_length_type()
   static_assert(std::is_same<Length, Face_count>::value || !std::is_same<Category, CGAL::Null_tag>::value,
                 "isotropic_remeshing(): the length must be a number or Face_count(n). Sizing fields and functions of "
                 "the position are not supported yet.");
+}
+
+// Whether the functions that change a mesh exist for the type. A mesh that is const, or a view of another one as
+// Face_filtered_graph is, has none.
+template <class Mesh, class = void>
+struct Is_mutable_face_graph : std::false_type {};
+template <class Mesh>
+struct Is_mutable_face_graph<Mesh, std::void_t<
+  decltype(add_vertex(std::declval<Mesh&>())), decltype(add_edge(std::declval<Mesh&>())), decltype(add_face(std::declval<Mesh&>())),
+  decltype(set_next(halfedge(*faces(std::declval<Mesh&>()).begin(), std::declval<Mesh&>()),
+                    halfedge(*faces(std::declval<Mesh&>()).begin(), std::declval<Mesh&>()), std::declval<Mesh&>()))>>
+  : std::true_type {};
+
+template <class TriangleMesh>
+constexpr void check_mesh_type()
+{
+  static_assert(Is_mutable_face_graph<TriangleMesh>::value,
+                "isotropic_remeshing(): the mesh must be a model of MutableFaceGraph, and not const. Of a part of a mesh, as "
+                "Face_filtered_graph is, hand over the mesh and the faces of the part: "
+                "isotropic_remeshing(faces(part), length, mesh).");
 }
 
 template <class NamedParameters, class Tag>
