@@ -522,14 +522,15 @@ History history()
   return result;
 }
 
-// Whether the mesh's point map keeps no more than a float of each coordinate.
-template <class Graph>
+// Whether the point map keeps no more than a float of each coordinate.
+template <class Graph, class Place>
 bool holds_floats()
 {
   Graph g;
+  const auto points = Place::map(g);
   const auto v = add_vertex(g);
-  put(CGAL::vertex_point, g, v, Point_of<Graph>(1 / 3., 0, 0));
-  return coordinates(get(CGAL::vertex_point, g, v))[0] != 1 / 3.;
+  put(points, v, Point_of<Graph>(1 / 3., 0, 0));
+  return coordinates(get(points, v))[0] != 1 / 3.;
 }
 
 const History& reference(bool in_floats)
@@ -542,7 +543,7 @@ template <class Graph, class Place = In_the_mesh>
 void every_type_comes_to_the_same(const char* name)
 {
   const std::size_t failures = checks::number_of_failures();
-  const History expected = reference(holds_floats<Graph>()), actual = history<Graph, Place>();
+  const History expected = reference(holds_floats<Graph, Place>()), actual = history<Graph, Place>();
   CHECK(actual.size() == expected.size());
   for(std::size_t i = 0; i < expected.size(); ++i)
     CHECK_MESSAGE(actual[i].second == expected[i].second, name << ": " << expected[i].first);
@@ -718,7 +719,8 @@ int main()
   a_point_map_that_throws_changes_nothing<Cell_complex>();
 #ifdef TEST_WITH_OPENMESH
   every_type_comes_to_the_same<Float_poly_mesh>("OpenMesh::PolyMesh_ArrayKernelT");
-  every_type_comes_to_the_same<Double_tri_mesh>("OpenMesh::TriMesh_ArrayKernelT in double precision");
+  // In a table, for CGAL's own map of these points rounds to floats in some versions.
+  every_type_comes_to_the_same<Double_tri_mesh, In_a_table>("OpenMesh::TriMesh_ArrayKernelT in double precision");
   running_out_of_memory_changes_nothing<Double_tri_mesh>();
   garbage_can_be_collected<Float_poly_mesh>();
   garbage_can_be_collected<Double_tri_mesh>();
