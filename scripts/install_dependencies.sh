@@ -19,7 +19,7 @@ list_missing() {
   command -v make >/dev/null || echo make
   command -v doxygen >/dev/null || echo doxygen
   local package
-  for package in libcgal-dev libeigen3-dev libboost-dev libtbb-dev libgmp-dev libmpfr-dev libbenchmark-dev; do
+  for package in libcgal-dev libeigen3-dev libboost-dev libtbb-dev libgmp-dev libmpfr-dev libbenchmark-dev libopenmesh-dev; do
     is_installed "$package" || echo "$package"
   done
   # Container images leave out what lies under /usr/share/doc, although the package counts as installed.
@@ -27,7 +27,7 @@ list_missing() {
 }
 
 command -v apt-get >/dev/null ||
-  fail "apt-get was not found; install CGAL 5.5, Eigen 3, TBB, Boost, GMP, MPFR, Google Benchmark and doxygen by hand."
+  fail "apt-get was not found; install CGAL 5.5, Eigen 3, TBB, Boost, GMP, MPFR, Google Benchmark, OpenMesh and doxygen by hand."
 
 mapfile -t missing < <(list_missing)
 if (( ${#missing[@]} == 0 )); then

@@ -16,6 +16,7 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include "check.h"
+#include "failing_memory.h"
 #include "meshes.h"
 
 #include <algorithm>
@@ -52,35 +53,6 @@ template <class Graph> using Edge_of = typename boost::graph_traits<Graph>::edge
 template <class Graph> using Face_of = typename boost::graph_traits<Graph>::face_descriptor;
 template <class Graph> using Faces_of = std::vector<Face_of<Graph>>;
 template <class Graph> using Point_map_of = typename boost::property_map<Graph, CGAL::vertex_point_t>::type;
-
-// --- memory that runs out ----------------------------------------------------------------------------------------
-
-// Allocations until one fails; 0: none does.
-std::size_t allocations_left = 0;
-
-#ifdef __GNUC__
-#  define NOT_INLINED __attribute__((noinline))   // or the compiler finds malloc() behind new without free() behind delete
-#else
-#  define NOT_INLINED
-#endif
-
-NOT_INLINED void* operator new(std::size_t size)
-{
-  if(allocations_left > 0 && --allocations_left == 0)
-    throw std::bad_alloc();
-  if(void* p = std::malloc(size > 0 ? size : 1))
-    return p;
-  throw std::bad_alloc();
-}
-NOT_INLINED void* operator new(std::size_t size, const std::nothrow_t&) noexcept // what sorts take their buffers by
-{
-  if(allocations_left > 0 && --allocations_left == 0)
-    return nullptr;
-  return std::malloc(size > 0 ? size : 1);
-}
-NOT_INLINED void operator delete(void* p) noexcept { std::free(p); }
-NOT_INLINED void operator delete(void* p, const std::nothrow_t&) noexcept { std::free(p); }
-NOT_INLINED void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 // --- the flat mesh as a graph ------------------------------------------------------------------------------------
 

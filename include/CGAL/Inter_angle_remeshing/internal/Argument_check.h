@@ -53,7 +53,8 @@ struct Mesh_check
 {
   static constexpr bool IS_PASSED = Is_mutable_face_graph<TriangleMesh>::value;
   static_assert(IS_PASSED, "isotropic_remeshing(): the mesh must be a model of MutableFaceGraph that is not const. Is the header "
-                           "CGAL/boost/graph/graph_traits_*.h of its type included?");
+                           "CGAL/boost/graph/graph_traits_*.h of its type included? Of a part of a mesh, as Face_filtered_graph is, "
+                           "hand over the mesh and the faces of the part: isotropic_remeshing(faces(part), length, mesh).");
 };
 
 template <class Range, class Value, class = void>

@@ -23,6 +23,34 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
+// What OpenMesh asks for beyond CGAL's concepts; for other meshes there is nothing to do.
+//
+// A vertex on the border must know the half-edge of the border that leaves it: OpenMesh::is_boundary() and its circulators
+// rely on that. CGAL has a function for it.
+template <class Graph, class Vertex>
+auto adjust_border(Vertex v, Graph& g, int) -> decltype(adjust_border_halfedge(v, g), void()) { adjust_border_halfedge(v, g); }
+template <class Graph, class Vertex>
+void adjust_border(Vertex, Graph&, long) {}
+
+// Removed elements are flagged, and the first removal allocates the flags: that must not happen when it is too late to fail.
+// A request that fails counts as made, and has to be taken back.
+template <class Request, class Release>
+void request_or_release(const Request& request, const Release& release)
+{
+  try { request(); } catch (...) { release(); throw; }
+}
+template <class Graph>
+auto allocate_removal_flags(Graph& g, int)
+  -> decltype(g.request_vertex_status(), g.request_halfedge_status(), g.request_edge_status(), g.request_face_status(), void())
+{
+  if (!g.has_vertex_status()) request_or_release([&] { g.request_vertex_status(); }, [&] { g.release_vertex_status(); });
+  if (!g.has_halfedge_status()) request_or_release([&] { g.request_halfedge_status(); }, [&] { g.release_halfedge_status(); });
+  if (!g.has_edge_status()) request_or_release([&] { g.request_edge_status(); }, [&] { g.release_edge_status(); });
+  if (!g.has_face_status()) request_or_release([&] { g.request_face_status(); }, [&] { g.release_face_status(); });
+}
+template <class Graph>
+void allocate_removal_flags(Graph&, long) {}
+
 // The user's range -> flat mesh, flat mesh -> the user's mesh: the only code that touches the user's mesh.
 //
 // What the user holds on to stays: a vertex that survives keeps its descriptor, and its point to the last bit if it
@@ -184,6 +212,7 @@ private:
   {
     const std::size_t new_faces = mesh.number_of_live_faces() - (std::min)(mesh.number_of_live_faces(), copy_.faces.size()),
                       new_edges = edges_needed_ - (std::min)(edges_needed_, spare_edges_.size());
+    allocate_removal_flags(tmesh_, 0);    // before anything is made that take_back() would have to remove
     reserve(tmesh_, room_for(num_vertices(tmesh_), new_vertices_.size()), room_for(num_edges(tmesh_), new_edges),
             room_for(num_faces(tmesh_), new_faces));
     for (; vertices_made_ < new_vertices_.size(); ++vertices_made_)
@@ -267,6 +296,7 @@ private:
     if ((marks & Remeshing_mesh::NEXT_TO_OUTSIDE) && target(known, tmesh_) == vertex_of_[v] &&
         CGAL::is_border(known, tmesh_)) return;
     set_halfedge(vertex_of_[v], opposite(halfedge_of(mesh.first(v)), tmesh_), tmesh_);
+    if (marks & (Remeshing_mesh::ON_BORDER | Remeshing_mesh::NEXT_TO_OUTSIDE)) adjust_border(vertex_of_[v], tmesh_, 0);
   }
 
   // A vertex that was not moved is not touched: its point may hold more than the flat mesh's coordinates can.
@@ -283,12 +313,13 @@ private:
     }
   }
 
+  // Edges first: those of a cell complex count how often their vertices and faces are referred to.
   void remove_the_rest()
   {
-    for (std::size_t i = 0; i < is_kept_.size(); ++i)
-      if (!is_kept_[i]) remove_vertex(copy_.vertices[i], tmesh_);
     for (std::size_t i = edges_used_; i < spare_edges_.size(); ++i)
       remove_edge(edge(spare_edges_[i], tmesh_), tmesh_);
+    for (std::size_t i = 0; i < is_kept_.size(); ++i)
+      if (!is_kept_[i]) remove_vertex(copy_.vertices[i], tmesh_);
     const std::size_t faces_used = halfedge_of_.size() / 3;
     for (std::size_t i = faces_used; i < copy_.faces.size(); ++i) remove_face(copy_.faces[i], tmesh_);
   }

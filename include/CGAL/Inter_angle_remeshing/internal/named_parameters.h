@@ -23,6 +23,7 @@
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 // From what get_parameter() yields to what the remesher takes. Types have passed Argument_check; a value that is wrong is
 // refused in words.
