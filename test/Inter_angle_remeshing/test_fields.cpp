@@ -534,8 +534,28 @@ void attributes_with_every_projector()
   run(parameters::do_project(true));
   run(parameters::do_project(false));
   run(parameters::projection_functor([](const Point& p) { return p; }));
+  run(parameters::projection_functor([](Vertex) { return Point(); }).do_project(false));
   const IAR::Closest_point_projector<Mesh> projector(input);
   run(parameters::projection_functor(std::ref(projector)));
+}
+
+// A projector of Polygon_mesh_processing's kind lends a vertex of the range during the run; that vertex keeps its value, too.
+void the_lent_vertex_keeps_its_value()
+{
+  Mesh m = meshes::to_mesh<Mesh>(meshes::sphere(2));
+  const auto value = m.add_property_map<Vertex, double>("v:value", 0).first;
+  const auto is_kept = m.add_property_map<Vertex, bool>("v:kept", true).first;
+  std::map<Vertex, double> before;
+  for(const Vertex v : m.vertices())
+    before[v] = value[v] = std::sin(double(v.idx()));
+  IAR::Attribute_transfer<Mesh> transfer;
+  transfer.add_vertex_map(value);
+  IAR::isotropic_remeshing(.5 * mean_edge_length(m), m, parameters::visitor(std::ref(transfer))
+                                                           .vertex_is_constrained_map(is_kept)
+                                                           .projection_functor([&](Vertex v) { return m.point(v); }));
+  CHECK(m.number_of_vertices() > before.size());
+  for(const auto& [v, x] : before)
+    CHECK_MESSAGE(value[v] == x, v);
 }
 
 // Whatever throws while values are read leaves mesh and maps as they were.
@@ -574,6 +594,7 @@ int main()
   linear_functions_are_kept();
   faces_and_kept_vertices();
   attributes_with_every_projector();
+  the_lent_vertex_keeps_its_value();
   nothing_is_lost();
   return result();
 }

@@ -155,8 +155,8 @@ constexpr bool is_length()
 {
   if constexpr (std::is_same<Length, Face_count>::value || Is_number<Length>::value) return true;
   else if constexpr (Is_scaled_field<Length>::value)
-    return is_field<std::decay_t<decltype(referred_length(std::declval<const Length&>().field))>, Vertex, TriangleMesh, Points>();
-  else return is_field<std::decay_t<decltype(referred_length(std::declval<const Length&>()))>, Vertex, TriangleMesh, Points>();
+    return is_field<std::decay_t<decltype(referred(std::declval<const Length&>().field))>, Vertex, TriangleMesh, Points>();
+  else return is_field<std::decay_t<decltype(referred(std::declval<const Length&>()))>, Vertex, TriangleMesh, Points>();
 }
 
 // Every member that a visitor is called with.

@@ -8,7 +8,6 @@
 #include <CGAL/Inter_angle_remeshing/internal/Input_locator.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/Run_visitor.h>
-#include <CGAL/Inter_angle_remeshing/internal/to_vector3.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -16,6 +15,7 @@
 #include <cstddef>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 // Tells the user's visitor where on the input each vertex and face of the result comes from: first while the mesh still is the
 // input, to read attributes, then when it is the result, to write them.
@@ -42,7 +42,7 @@ template <class RunVisitor, class Exchange, class TriangleMesh>
 class Attribute_exchange
 {
 public:
-  Attribute_exchange(RunVisitor&, const Exchange&, const TriangleMesh&) {}
+  Attribute_exchange(RunVisitor&, const Exchange&, const TriangleMesh&, const Remeshing_mesh&) {}
   static constexpr bool are_carried() { return false; }
   void read(const Remeshing_mesh&, const Input_locator&) const {}
   void write(const Remeshing_mesh&) const {}
@@ -57,9 +57,15 @@ class Attribute_exchange<User_visitor<Visitor>, Exchange, TriangleMesh>
                         READS_FACES = Reads_faces<Visitor, TriangleMesh>::value;
 
 public:
-  Attribute_exchange(User_visitor<Visitor>& visitor, const Exchange& exchange, const TriangleMesh& tmesh)
+  // `input` is the flat mesh before the run.
+  Attribute_exchange(User_visitor<Visitor>& visitor, const Exchange& exchange, const TriangleMesh& tmesh, const Remeshing_mesh& input)
     : visitor_(visitor.user()), exchange_(exchange), tmesh_(tmesh)
-  {}
+  {
+    if constexpr (READS_VERTICES) {
+      input_positions_.resize(exchange.input_vertices().size());
+      for (Index v = 0; v < Index(input.number_of_vertex_slots()); ++v) input_positions_[input.input(v)] = input.position(v);
+    }
+  }
 
   static constexpr bool are_carried() { return READS_VERTICES || READS_FACES; }
 
@@ -101,14 +107,13 @@ public:
 private:
   bool is_unmoved(const Remeshing_mesh& mesh, Index v) const
   {
-    if (mesh.input(v) < 0) return false;
-    const auto& point = get(exchange_.vertex_points(), exchange_.input_vertices()[mesh.input(v)]);
-    return mesh.position(v) == (1 / mesh.unit()) * to_vector3(point);
+    return mesh.input(v) >= 0 && mesh.position(v) == input_positions_[mesh.input(v)];
   }
 
   Visitor& visitor_;
   const Exchange& exchange_;
   const TriangleMesh& tmesh_;
+  std::vector<Vector3> input_positions_;
 };
 
 } // namespace internal

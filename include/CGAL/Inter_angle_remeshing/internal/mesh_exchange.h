@@ -74,7 +74,6 @@ public:
       copy_(Flat_copy_builder<TriangleMesh, VertexPointMap>(tmesh, vpm, caller).build(range))
   {}
 
-  const VertexPointMap& vertex_points() const { return vpm_; }
   // The user's vertices, by their number in the input.
   const std::vector<vertex_descriptor>& input_vertices() const { return copy_.vertices; }
 

@@ -152,7 +152,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   const auto rule = [&](const auto& policy) {
     return make_edge_rule(policy, exchange.input_vertices(), boost::graph_traits<TriangleMesh>::null_vertex());
   };
-  Attribute_exchange attributes(parameters.visitor, exchange, tmesh);
+  Attribute_exchange attributes(parameters.visitor, exchange, tmesh, mesh);
   bool is_to_be_written = true;
   Remeshing_report report = run_with_projector(parameters, exchange, mesh, kind, curves, wanted, [&](const Projection& projector) {
     std::optional<Input_locator> locator;

@@ -10,6 +10,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Default_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
+#include <CGAL/Inter_angle_remeshing/internal/referred.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 #include <CGAL/Inter_angle_remeshing/internal/starting_places.h>
 #include <CGAL/Inter_angle_remeshing/internal/target_of_run.h>
@@ -46,11 +47,6 @@ template <class Functor, class = void>
 struct Has_mls_surface : std::false_type {};
 template <class Functor>
 struct Has_mls_surface<Functor, std::void_t<Mls_surface_of<Functor>>> : std::true_type {};
-
-template <class Functor>
-const Functor& referred(const Functor& functor) { return functor; }
-template <class Functor>
-const Functor& referred(const std::reference_wrapper<Functor>& functor) { return functor.get(); }
 
 // The surface of the paper: MLS on the up-sampled facets.
 inline std::function<Vector3(const Vector3&)> paper_surface(const Reference_surface& facets,

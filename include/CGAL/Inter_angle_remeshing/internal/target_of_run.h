@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_TARGET_OF_RUN_H
 
 #include <CGAL/Inter_angle_remeshing/Face_count.h>
+#include <CGAL/Inter_angle_remeshing/internal/referred.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 #include <CGAL/Inter_angle_remeshing/internal/sizing.h>
 #include <CGAL/Inter_angle_remeshing/target_edge_length.h>
@@ -51,11 +52,6 @@ template <class Length>
 struct Is_scaled_field : std::false_type {};
 template <class SizingField>
 struct Is_scaled_field<Scaled_sizing_field<SizingField>> : std::true_type {};
-
-template <class Length>
-const Length& referred_length(const Length& length) { return length; }
-template <class Length>
-const Length& referred_length(const std::reference_wrapper<Length>& length) { return length.get(); }
 
 // A length so small that the result could not be indexed is refused, as is what is no length. Needles have edges to
 // split, though hardly an area. `unit` is the unit of the arguments in the user's.
@@ -126,14 +122,14 @@ Target read_target(const Length& length, Exchange& exchange, TriangleMesh& tmesh
   if constexpr (std::is_same<Length, Face_count>::value)
     result = {length_for_faces(length.value, range_area), length.value, Sizing()};
   else if constexpr (Is_scaled_field<Length>::value) {
-    result = read_field(referred_length(length.field), exchange, tmesh, vpm);
+    result = read_field(referred(length.field), exchange, tmesh, vpm);
     result.faces = length.count.value;
     result.length = length_for_faces(result.faces, range_area);
   } else if constexpr (Is_number<Length>::value) {
     const double wanted = CGAL::to_double(length);
     result.length = std::isfinite(wanted) ? wanted / mesh.unit() : wanted;
   } else
-    result = read_field(referred_length(length), exchange, tmesh, vpm);
+    result = read_field(referred(length), exchange, tmesh, vpm);
   check_length(result.length, range_area, total_edge_length, mesh.unit());
   return result;
 }
