@@ -258,7 +258,7 @@ void curvature_at_features_and_borders()
 
 void gradation_is_bounded()
 {
-  const Mesh m = read(meshes::is_small_run() ? "blobby_3cc" : "elephant");
+  const Mesh m = read("elephant");
   const double mean = mean_edge_length(m), gradation = .2;
   const std::pair<double, double> range(mean / 4, 4 * mean);
   const Curvature_field field(.02 * mean, range, m.faces(), m, parameters::default_values(), gradation);
