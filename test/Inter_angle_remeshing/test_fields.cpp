@@ -280,6 +280,23 @@ void gradation_is_bounded()
   CHECK_MESSAGE(report.angles_after.average > 55, report.angles_after.average);
 }
 
+// A larger tolerance never asks for shorter edges.
+void lengths_rise_with_the_tolerance()
+{
+  const Mesh m = read("blobby_3cc");
+  const double mean = mean_edge_length(m);
+  std::vector<double> before(m.number_of_vertices(), 0);
+  for(const double tolerance : {.01, .1, 1., 100., 1e6})
+  {
+    const std::vector<double> now = lengths(Curvature_field(tolerance * mean, {mean / 10, 10 * mean}, m.faces(), m), m);
+    std::size_t shorter = 0;
+    for(std::size_t i = 0; i < now.size(); ++i)
+      shorter += now[i] < .8 * before[i];      // averages are taken over larger neighborhoods
+    CHECK_MESSAGE(shorter <= now.size() / 100, tolerance << ": " << shorter << " of " << now.size());
+    before = now;
+  }
+}
+
 // A part of the faces has vertices that the field does not know.
 void curvature_of_a_range()
 {
@@ -337,6 +354,27 @@ void bad_lengths_are_refused()
   CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing(IAR::Face_count(0).scaling(Ramp(input)), m), CGAL::Precondition_exception,
                          "the wanted number of faces is 0");
   CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing([](const Point&) { return 1e-9; }, m), CGAL::Precondition_exception, "so small");
+
+  // Lengths that nothing can be compared with: hardly any, and far too long ones, which stand for no bound.
+  struct Two_lengths
+  {
+    double left, right;
+    double at(Vertex v, const Mesh& mesh) const { return mesh.point(v).x() < .5 ? left : right; }
+  };
+  const double longest = (std::numeric_limits<double>::max)();
+  CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing(Two_lengths{1e-200, 2e-200}, m), CGAL::Precondition_exception, "so small");
+  CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing(Two_lengths{longest, 1e-200}, m), CGAL::Precondition_exception, "so small");
+  // Small only where the input has no vertex.
+  Mesh square = meshes::to_mesh<Mesh>(meshes::square(1));
+  const auto pit = [](const Point& p) { return CGAL::square(p.x() - .5) + CGAL::square(p.y() - .5) < .49 ? 1e-7 : 1.; };
+  CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing(pit, square), CGAL::Precondition_exception, "so small");
+  CHECK(square.number_of_faces() == 2);
+  for(const Two_lengths& field : {Two_lengths{longest, .1}, Two_lengths{.1, longest}})
+  {
+    Mesh half_bounded = input;
+    IAR::isotropic_remeshing(field, half_bounded);
+    CHECK(CGAL::is_valid_polygon_mesh(half_bounded) && half_bounded.number_of_faces() > input.number_of_faces());
+  }
 
   const auto construct = [&](double tolerance, double low, double high, double gradation) {
     return Curvature_field(tolerance, {low, high}, m.faces(), m, parameters::default_values(), gradation);
@@ -490,6 +528,9 @@ void faces_and_kept_vertices()
   };
   for(const Face f : m.faces())
     side[f] = name_of(normal(f, m));
+  const auto is_side_x = m.add_property_map<Face, bool>("f:x", false).first;
+  for(const Face f : m.faces())
+    is_side_x[f] = side[f][0] == 'x';
   const auto value = m.add_property_map<Vertex, double>("v:value", 0).first;
   const auto is_kept = m.add_property_map<Vertex, bool>("v:kept", false).first;
   std::mt19937 random(3);
@@ -505,10 +546,11 @@ void faces_and_kept_vertices()
   }
   IAR::Attribute_transfer<Mesh> transfer;
   transfer.add_face_map(side);
+  transfer.add_face_map(is_side_x);
   transfer.add_vertex_map(value);
   IAR::isotropic_remeshing(.7 * mean_edge_length(m), m, parameters::visitor(std::ref(transfer)).vertex_is_constrained_map(is_kept));
   for(const Face f : m.faces())
-    CHECK_MESSAGE(side[f] == name_of(normal(f, m)), side[f]);
+    CHECK_MESSAGE(side[f] == name_of(normal(f, m)) && is_side_x[f] == (side[f][0] == 'x'), side[f]);
   for(const auto& [v, x] : kept)
     CHECK(!m.is_removed(v) && value[v] == x);
   for(const Vertex v : m.vertices())
@@ -584,6 +626,7 @@ int main()
   curvature_with_noise();
   curvature_at_features_and_borders();
   gradation_is_bounded();
+  lengths_rise_with_the_tolerance();
   curvature_of_a_range();
 #if CGAL_VERSION_NR >= 1060000000
   fields_of_polygon_mesh_processing_are_taken();

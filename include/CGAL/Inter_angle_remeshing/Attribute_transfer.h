@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <deque>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -164,7 +165,7 @@ private:
     const Value& get(std::size_t i) const { return values_[i]; }
 
   private:
-    std::vector<Value> values_;
+    std::deque<Value> values_;                   // whose elements are bools, too, can be referred to
   };
 
   template <class Map, class Interpolation>

@@ -71,7 +71,8 @@ struct Remeshing_report
   Ending ending = Ending::nothing_to_do;
   /// the number of iterations made
   unsigned iterations = 0;
-  /// the target edge length, in the user's units; with `Face_count`, the one that the run ended with
+  /// the target edge length, in the user's units; with `Face_count`, the one that the run ended with; with a sizing field, the one
+  /// length with which the range would have as many faces
   double target_edge_length = 0;
   /// which edges were kept as features
   Features features = Features::none;

@@ -146,7 +146,7 @@ constexpr bool is_field()
 {
   if constexpr (Is_sizing_field<Field, Vertex, TriangleMesh>::value) return true;
   else if constexpr (is_map_of_points<Points, Vertex>())
-    return std::is_invocable_r<double, const Field&, const typename boost::property_traits<Points>::value_type&>::value;
+    return Is_length_function<Field, typename boost::property_traits<Points>::value_type>::value;
   else return true;
 }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Reference_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -67,8 +68,11 @@ private:
     } else
       closest = surface_->closest_point_near(factor_ * p, f);
     const auto& v = surface_->face_record(f).vertex;
-    return {copy_ != nullptr ? surface_->face_record(f).source : source_[f],
-            barycentric(closest, surface_->position(v[0]), surface_->position(v[1]), surface_->position(v[2]))};
+    std::array<double, 3> b = barycentric(closest, surface_->position(v[0]), surface_->position(v[1]), surface_->position(v[2]));
+    for (double& x : b) x = (std::max)(0., x);       // on needles they may be off by rounding
+    const double sum = b[0] + b[1] + b[2];
+    for (double& x : b) x /= sum;
+    return {copy_ != nullptr ? surface_->face_record(f).source : source_[f], b};
   }
 
   const Reference_surface* surface_ = nullptr;

@@ -46,7 +46,7 @@ struct Remeshing_context
   template <class ConcurrencyTag>
   void measure_grading()
   {
-    if (!is_graded()) return;
+    if (!is_graded() || !(target_length > 0)) return;
     grading.read<ConcurrencyTag>(mesh, sizing, locator, target_length);
     if (grading_rate > 0) grading.sink(mesh, target_length, grading_rate);
   }

@@ -58,7 +58,8 @@ inline std::vector<double> curvature_lengths(const Remeshing_mesh& mesh, double 
 {
   const double epsilon = tolerance / mesh.unit(), shortest = range.first / mesh.unit(), longest = range.second / mesh.unit();
   const auto length_at = [&](double curvature) {
-    const double square = 6 * epsilon / curvature - 3 * epsilon * epsilon;      // infinite where it is flat
+    const double e = (std::min)(epsilon, 1 / curvature);     // no triangle is further from a sphere than its radius
+    const double square = 6 * e / curvature - 3 * e * e;     // infinite where it is flat
     return square > shortest * shortest ? (std::min)(longest, std::sqrt(square)) : shortest;
   };
   Curvature curvature(mesh);

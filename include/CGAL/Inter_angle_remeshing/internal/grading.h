@@ -58,6 +58,7 @@ public:
     for (Index v = 0; v < Index(part_.size()); ++v)
       if (mesh.is_vertex(v)) all.push_back(v);
     bound_slope(mesh, target_length, STEEPEST_FIELD, all, [](Index) { return true; });
+    check_number_of_faces(mesh, target_length);
     field_ = part_;
   }
 
@@ -99,6 +100,19 @@ private:
     parts[v] = float(part);
   }
 
+  // A function of the position may be far smaller between the vertices of the input than there.
+  void check_number_of_faces(const Remeshing_mesh& mesh, double target_length) const
+  {
+    double count = 0;
+    for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) {
+      if (!mesh.is_face(f)) continue;
+      const auto& v = mesh.face_record(f).vertex;
+      const double l = target_length * (std::min)({part(v[0]), part(v[1]), part(v[2])});
+      count += 2 / std::sqrt(3.) * length(triangle_cross(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]))) / (l * l);
+    }
+    if (!(count <= MAXIMUM_NUMBER_OF_FACES)) refuse_too_small_field();
+  }
+
   // Lowers the parts beside the vertices of the queue that rise faster than by `rate` over a unit of length, as far as
   // `may_fall(v)` holds.
   template <class Predicate>
@@ -111,7 +125,7 @@ private:
         if (!may_fall(u)) return;
         const double distance = length(mesh.position(u) - mesh.position(v)) / target_length;
         const float bound = float(double(part_[v]) + rate * distance);
-        if (part_[u] <= bound * NOTICEABLE) return;
+        if (!(part_[u] > bound * NOTICEABLE)) return;
         part_[u] = bound;
         queue.push_back(u);
       });

@@ -22,7 +22,7 @@ template <class Value, class = void>
 struct Is_linear : std::false_type {};
 template <class Value>
 struct Is_linear<Value, std::void_t<decltype(Value(1. * std::declval<const Value&>() + 1. * std::declval<const Value&>()))>>
-  : std::bool_constant<!std::is_integral<Value>::value> {};
+  : std::bool_constant<!std::is_integral<Value>::value && !std::is_enum<Value>::value> {};
 
 template <class Value, class = void>
 struct Is_point : std::false_type {};

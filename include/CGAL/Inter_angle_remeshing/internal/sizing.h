@@ -8,9 +8,11 @@
 #include <CGAL/Inter_angle_remeshing/internal/Input_locator.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +30,17 @@ inline double checked_length(double length, const Vector3& place)
     refuse(REMESHING, "the sizing field is " + to_text(length) + " at (" + to_text(place.x) + ", " +
                       to_text(place.y) + ", " + to_text(place.z) + "); it must be finite and positive");
   return length;
+}
+
+// No length needs to be longer: the extent of the flat mesh is under 1.
+constexpr double LONGEST_LENGTH = 4;
+// More faces cannot be indexed.
+constexpr double MAXIMUM_NUMBER_OF_FACES = double((std::numeric_limits<Remeshing_mesh::Index>::max)() / 4) / 1.5;
+
+[[noreturn]] inline void refuse_too_small_field()
+{
+  refuse(REMESHING, "the sizing field is so small that more than " + to_text(MAXIMUM_NUMBER_OF_FACES) +
+                    " faces were needed, which cannot be indexed");
 }
 
 // The lengths are given as parts of the length of reference, with which uniform triangles over the range would be as many
@@ -60,6 +73,7 @@ public:
       }
     }
     reference_length_ = count > 0 ? std::sqrt(area / count) : lengths.front();
+    if (!(reference_length_ > 0)) refuse_too_small_field();
     for (auto& corners : parts_)
       for (float& part : corners) part = float(double(part) / reference_length_);
   }
@@ -81,7 +95,7 @@ public:
   {
     if (function_) {
       const Vector3 place = unit_ * mesh.position(v);
-      return checked_length(function_(place), place) / (unit_ * reference_length_);
+      return (std::min)(LONGEST_LENGTH, checked_length(function_(place), place) / unit_) / reference_length_;
     }
     const Input_place place = locator->place_of_vertex(mesh, v);
     const auto& corner = parts_[place.source];

@@ -48,6 +48,13 @@ struct Is_sizing_field : std::false_type {};
 template <class Field, class Vertex, class TriangleMesh>
 struct Is_sizing_field<Field, Vertex, TriangleMesh, std::void_t<Length_at_vertex<Field, Vertex, TriangleMesh>>> : std::true_type {};
 
+template <class Function, class Point_3>
+using Length_at_place = decltype(CGAL::to_double(std::declval<const Function&>()(std::declval<const Point_3&>())));
+template <class Function, class Point_3, class = void>
+struct Is_length_function : std::false_type {};
+template <class Function, class Point_3>
+struct Is_length_function<Function, Point_3, std::void_t<Length_at_place<Function, Point_3>>> : std::true_type {};
+
 template <class Length>
 struct Is_scaled_field : std::false_type {};
 template <class SizingField>
@@ -59,11 +66,10 @@ inline void check_length(double length, double area, double total_edge_length, d
 {
   if (!(length >= 0) || !std::isfinite(length))
     refuse(REMESHING, "the target edge length is " + to_text(unit * length) + "; it must be finite and not negative");
-  constexpr double MAXIMUM_FACES = double((std::numeric_limits<Remeshing_mesh::Index>::max)() / 4) / 1.5;
   const double faces = (std::max)(4 * area / (std::sqrt(3.) * length * length), total_edge_length / length);
-  if (length > 0 && faces > MAXIMUM_FACES)
+  if (length > 0 && faces > MAXIMUM_NUMBER_OF_FACES)
     refuse(REMESHING, "the target edge length is " + to_text(unit * length) + ", so small that about " + to_text(faces) +
-                      " faces were needed; at most " + to_text(MAXIMUM_FACES) + " can be indexed");
+                      " faces were needed; at most " + to_text(MAXIMUM_NUMBER_OF_FACES) + " can be indexed");
 }
 
 template <class Length>
@@ -100,7 +106,7 @@ Target read_field(const Field& field, Exchange& exchange, TriangleMesh& tmesh, c
     double l;
     if constexpr (Is_sizing_field<Field, Vertex, TriangleMesh>::value) l = CGAL::to_double(field.at(v, tmesh));
     else l = CGAL::to_double(field(Point_3(get(vpm, v))));
-    lengths.push_back(checked_length(l, to_vector3(get(vpm, v))) / mesh.unit());
+    lengths.push_back((std::min)(LONGEST_LENGTH, checked_length(l, to_vector3(get(vpm, v))) / mesh.unit()));
   }
   if constexpr (!Is_sizing_field<Field, Vertex, TriangleMesh>::value)
     function = [&field](const Vector3& p) { return CGAL::to_double(field(Point_3(p.x, p.y, p.z))); };
