@@ -19,11 +19,11 @@ available_memory() {
   echo "$mib"
 }
 
-# Prints how many compilers to run: one a core, as long as each has the 1.5 GiB that a file which includes CGAL may take.
+# Prints how many compilers to run: one a core, as long as each has the 3 GiB that a test under the sanitizers may take.
 job_count() {
   local jobs by_memory
   jobs=$(nproc)
-  by_memory=$(( $(available_memory) / 1536 ))
+  by_memory=$(( $(available_memory) / 3000 ))
   if (( by_memory < jobs )); then jobs=$by_memory; fi
   if (( jobs < 1 )); then jobs=1; fi
   echo "$jobs"

@@ -2,10 +2,10 @@
 # Copyright (c) 2026 The Inter_angle_remeshing authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_matrix.sh [--all] [CGAL_INCLUDE_DIR...]: compiles and runs tests with each of the given versions of CGAL (default:
-# the installed one), with g++ and clang++ where they are installed, as C++17 and as C++20. Warnings in the package and in
-# the tests are errors. Without --all, a few tests; COMPILERS, STANDARDS and TESTS, lists of words,
-# narrow or widen the choice:
+# test_matrix.sh [--all] [CGAL_INCLUDE_DIR...]: compiles and runs tests, in their short form, with each of the given versions
+# of CGAL (default: the installed one), with g++ and clang++ where they are installed, as C++17 and as C++20. Warnings in the
+# package and in the tests are errors. Without --all, two of the tests. COMPILERS, STANDARDS and TESTS, lists of words, say
+# otherwise:
 #   STANDARDS=20 TESTS=test_exchange scripts/test_matrix.sh /opt/CGAL-6.2/include
 # Prints a row for each combination. Exit code 1 if one fails; logs are in build/matrix.
 set -euo pipefail

@@ -641,10 +641,10 @@ void patches_may_have_names()
 void a_filtered_mesh_is_a_range()
 {
   using Filtered = CGAL::Face_filtered_graph<Double_mesh>;
-  static_assert(IAR::internal::Is_mutable_face_graph<Double_mesh>::value && IAR::internal::Is_mutable_face_graph<Polyhedron>::value &&
-                IAR::internal::Is_mutable_face_graph<Cell_complex>::value, "these can be remeshed");
-  static_assert(!IAR::internal::Is_mutable_face_graph<Filtered>::value &&
-                !IAR::internal::Is_mutable_face_graph<const Double_mesh>::value, "these cannot");
+  using IAR::internal::Is_mutable_face_graph;
+  static_assert(Is_mutable_face_graph<Double_mesh>::value && Is_mutable_face_graph<Polyhedron>::value &&
+                Is_mutable_face_graph<Cell_complex>::value, "these can be remeshed");
+  static_assert(!Is_mutable_face_graph<Filtered>::value && !Is_mutable_face_graph<const Double_mesh>::value, "these cannot");
 
   Double_mesh m = meshes::to_mesh<Double_mesh>(meshes::square(6));
   auto patch = m.add_property_map<Double_mesh::Face_index, int>("f:patch", 0).first;
@@ -721,7 +721,7 @@ int main()
   every_type_comes_to_the_same<Float_poly_mesh>("OpenMesh::PolyMesh_ArrayKernelT");
   // In a table, for CGAL's own map of these points rounds to floats in some versions.
   every_type_comes_to_the_same<Double_tri_mesh, In_a_table>("OpenMesh::TriMesh_ArrayKernelT in double precision");
-#  ifdef NDEBUG     // OpenMesh's own checks allocate, also while elements are removed
+#  ifdef NDEBUG      // OpenMesh's assertions allocate names, wherever a flag is set
   running_out_of_memory_changes_nothing<Double_tri_mesh>();
 #  endif
   garbage_can_be_collected<Float_poly_mesh>();
