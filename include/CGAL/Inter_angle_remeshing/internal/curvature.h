@@ -80,6 +80,9 @@ public:
     }
   }
 
+  Curvature(const Curvature&) = delete;      // `mls_` refers to `surface_`
+  Curvature& operator=(const Curvature&) = delete;
+
   // Averages over neighborhoods of the radius `radius_at(largest absolute curvature)`, of two edges at least and six at most.
   template <class Radius>
   void average(const Radius& radius_at);
