@@ -9,7 +9,8 @@ string(REPLACE "|" ";" folders "${FOLDERS}")
 string(REPLACE "|" ";" definitions "${DEFINITIONS}")
 list(FILTER definitions EXCLUDE REGEX "^$")
 list(TRANSFORM definitions PREPEND "-D")
-list(FILTER folders EXCLUDE REGEX "^${PACKAGE}$")
+# The compiler's own folder would come before those of its library.
+list(FILTER folders EXCLUDE REGEX "^(${PACKAGE}|/usr/include|)$")
 list(TRANSFORM folders PREPEND "-isystem;")
 
 file(GLOB_RECURSE headers RELATIVE "${PACKAGE}" "${PACKAGE}/CGAL/*.h")
