@@ -9,6 +9,7 @@
 //   performance [--benchmark_filter=own_length/2] [Google Benchmark's options]
 
 #include "meshes.h"
+#include "peak_memory.h"
 
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 
@@ -19,25 +20,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include <fstream>
 #include <string>
 
 namespace {
-
-// The most memory the process held since the last call of reset_peak(), in MiB; 0 where the system does not tell.
-double peak_memory()
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;)
-    if (word == "VmHWM:") {
-      double kibibytes = 0;
-      status >> kibibytes;
-      return kibibytes / 1024;
-    }
-  return 0;
-}
-
-void reset_peak() { std::ofstream("/proc/self/clear_refs") << "5\n"; }
 
 struct Cost
 {

@@ -11,6 +11,7 @@
 // Times are medians of 5 first and of 99 later calls (of 5 for PMP), memory is what the calls of a row add to the process.
 
 #include "meshes.h"
+#include "peak_memory.h"
 
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 
@@ -21,10 +22,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#ifdef __GLIBC__
-#  include <malloc.h>
-#endif
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -56,28 +53,6 @@ struct Pmp
     CGAL::Polygon_mesh_processing::isotropic_remeshing(range, length, mesh, CGAL::parameters::number_of_iterations(ITERATIONS));
   }
 };
-
-// The most memory the process held since the last call of reset_peak(), in MiB; 0 where the system does not tell.
-double peak_memory()
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;)
-    if (word == "VmHWM:") {
-      double kibibytes = 0;
-      status >> kibibytes;
-      return kibibytes / 1024;
-    }
-  return 0;
-}
-
-// Gives back what earlier runs have left to the allocator: what a run takes is to be seen.
-void reset_peak()
-{
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-  std::ofstream("/proc/self/clear_refs") << "5\n";
-}
 
 // The faces nearest to `seed`, breadth first.
 Faces connected_faces(Mesh::Face_index seed, const Mesh& mesh)
