@@ -37,3 +37,14 @@ function(inter_angle_remeshing_link_dependencies target)
     inter_angle_remeshing_link_support(${target} TBB_support)
   endif()
 endfunction()
+
+# inter_angle_remeshing_add_compiled(<name> <interface target>): the passes as a static library, see compiled_passes.h, compiled
+# where it is linked to, with the compiler and the options of that project.
+function(inter_angle_remeshing_add_compiled name interface)
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  file(CONFIGURE OUTPUT "${source}" CONTENT "#include <CGAL/Inter_angle_remeshing/compiled_passes.h>\n")
+  add_library(${name} STATIC EXCLUDE_FROM_ALL "${source}")
+  target_link_libraries(${name} PUBLIC ${interface})
+  target_compile_definitions(${name} PUBLIC CGAL_INTER_ANGLE_REMESHING_COMPILED)
+  set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+endfunction()

@@ -8,10 +8,13 @@ if(NOT TARGET CGAL::Inter_angle_remeshing)
   add_subdirectory("${CMAKE_CURRENT_LIST_DIR}/.." "${CMAKE_CURRENT_BINARY_DIR}/Inter_angle_remeshing")
 endif()
 
-# inter_angle_remeshing_add_program(<name> <source>): a program that uses the package and finds CGAL's meshes.
+# inter_angle_remeshing_add_program(<name> <source> [<passes>]): a program that uses the package and finds CGAL's meshes. The
+# passes are those of another compiled library where one is named.
 function(inter_angle_remeshing_add_program name source)
+  set(passes ${ARGN} CGAL::Inter_angle_remeshing_compiled)
+  list(GET passes 0 passes)
   add_executable(${name} "${source}")
-  target_link_libraries(${name} PRIVATE CGAL::Inter_angle_remeshing)
+  target_link_libraries(${name} PRIVATE ${passes})
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF)
   target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra>)
   if(CGAL_DATA_DIR)

@@ -21,6 +21,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/polish_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/relax_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/repair_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/run_passes.h>
 #include <CGAL/Inter_angle_remeshing/internal/space_filling_order.h>
 #include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/spot_pass.h>
@@ -28,7 +29,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iostream>
 #include <limits>
 #include <string>
@@ -37,15 +37,6 @@
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
-
-// How a run goes, beside the recipe.
-struct Schedule
-{
-  unsigned iterations;
-  std::size_t wanted_faces;              // 0: the target length holds throughout
-  std::function<bool(double)> callback;
-  bool is_verbose;
-};
 
 // The iteration: the passes in order.
 template <class ConcurrencyTag>
@@ -474,6 +465,14 @@ void Remesher<ConcurrencyTag>::print_state(const std::string& name) const
             << angles.minimum << " to " << angles.maximum << ", average " << angles.average << "; so far "
             << report_.splits << " splits, " << report_.collapses << " collapses, " << report_.flips << " flips, "
             << report_.glides << " glides\n";
+}
+
+template <class ConcurrencyTag>
+Run_result run_passes(Remeshing_context& context, const Schedule& schedule)
+{
+  Remesher<ConcurrencyTag> remesher(context, schedule);
+  const Remeshing_report report = remesher.run();
+  return {report, remesher.is_at_finest_level()};
 }
 
 } // namespace internal

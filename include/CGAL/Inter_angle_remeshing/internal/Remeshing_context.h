@@ -19,6 +19,8 @@ namespace internal {
 
 // Smallest cosine between normals before and after an operation that is not taken for a fold: 26 degrees.
 constexpr double LITTLE_TURN_COSINE = 0.9;
+// The largest number of flips that Recipe::glide_depth may ask for.
+constexpr unsigned MAXIMUM_GLIDE_DEPTH = 16;
 
 // What every pass works with: the mesh, the target length, and what the user handed over. It has one type, whatever the types of
 // these are, so that the passes are compiled once.

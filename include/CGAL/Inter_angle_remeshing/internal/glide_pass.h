@@ -20,8 +20,6 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-constexpr unsigned MAXIMUM_GLIDE_DEPTH = 16;
-
 // The flips of a glide, as pairs of vertices: the flips before one change the half-edges of the next.
 struct Glide
 {

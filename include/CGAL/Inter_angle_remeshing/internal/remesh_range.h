@@ -5,14 +5,15 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESH_RANGE_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESH_RANGE_H
 
-#include <CGAL/Inter_angle_remeshing/internal/Remesher.h>
 #include <CGAL/Inter_angle_remeshing/internal/attribute_exchange.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
 #include <CGAL/Inter_angle_remeshing/internal/corners.h>
 #include <CGAL/Inter_angle_remeshing/internal/feature_detection.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh_exchange.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
+#include <CGAL/Inter_angle_remeshing/internal/run_passes.h>
 #include <CGAL/Inter_angle_remeshing/internal/run_with_projector.h>
+#include <CGAL/Inter_angle_remeshing/internal/space_filling_order.h>
 #include <CGAL/Inter_angle_remeshing/internal/target_of_run.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -127,6 +128,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
                               Parameters& parameters)
 {
   using Vpm = decltype(parameters.vertex_point_map);
+  using Concurrency = std::conditional_t<is_parallel<ConcurrencyTag>(), CGAL::Parallel_tag, CGAL::Sequential_tag>;
   check_recipe(parameters.recipe);
   if (range.begin() == range.end()) {
     check_length_value(length);
@@ -161,11 +163,10 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
                               rule(parameters.flip_policy), projector, parameters.visitor, parameters.may_collapse_constraints,
                               target, parameters.may_subdivide, wanted.sizing, locator ? &*locator : nullptr,
                               kind.is_cad && wanted.sizing.is_uniform() ? parameters.recipe.grading : 0., Grading()};
-    Remesher<ConcurrencyTag> remesher(context, parameters.schedule);
-    const Remeshing_report result = remesher.run();
-    is_to_be_written = remesher.is_at_finest_level();
+    const Run_result result = run_passes<Concurrency>(context, parameters.schedule);
+    is_to_be_written = result.has_target_length;
     if (is_to_be_written && attributes.are_carried()) attributes.read(mesh, *locator);
-    return result;
+    return result.report;
   });
 
   report.features = kind.features;

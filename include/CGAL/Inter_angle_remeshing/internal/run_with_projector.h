@@ -9,17 +9,11 @@
 #include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
 #include <CGAL/Inter_angle_remeshing/internal/Default_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
+#include <CGAL/Inter_angle_remeshing/internal/paper_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
 #include <CGAL/Inter_angle_remeshing/internal/referred.h>
-#include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 #include <CGAL/Inter_angle_remeshing/internal/starting_places.h>
 #include <CGAL/Inter_angle_remeshing/internal/target_of_run.h>
-#include <CGAL/Inter_angle_remeshing/internal/upsampling.h>
-
-#include <CGAL/Simple_cartesian.h>
-#ifdef CGAL_EIGEN3_ENABLED
-#  include <CGAL/Inter_angle_remeshing/Projection/Point_set_MLS_projector.h>
-#endif
 
 #include <cmath>
 #include <functional>
@@ -47,28 +41,6 @@ template <class Functor, class = void>
 struct Has_mls_surface : std::false_type {};
 template <class Functor>
 struct Has_mls_surface<Functor, std::void_t<Mls_surface_of<Functor>>> : std::true_type {};
-
-// The surface of the paper: MLS on the up-sampled facets.
-inline std::function<Vector3(const Vector3&)> paper_surface(const Reference_surface& facets,
-                                                            const std::vector<Remeshing_mesh::Index>& creases)
-{
-#ifdef CGAL_EIGEN3_ENABLED
-  using Point = CGAL::Simple_cartesian<double>::Point_3;
-  using Vector = CGAL::Simple_cartesian<double>::Vector_3;
-  std::vector<std::pair<Point, Vector>> samples;
-  for_each_sample(Mls_surface(facets, creases), [&](const Surface_sample& s) {
-    samples.emplace_back(Point(s.point.x, s.point.y, s.point.z), Vector(s.normal.x, s.normal.y, s.normal.z));
-  });
-  if (samples.empty()) return {};
-  return [projector = Point_set_MLS_projector<Point>(samples)](const Vector3& q) {
-    const Point p = projector.project(Point(q.x, q.y, q.z));
-    return Vector3{p.x(), p.y(), p.z()};
-  };
-#else
-  (void)facets; (void)creases;
-  refuse(REMESHING, "Recipe::Surface::paper, as in Recipe::paper(), needs Eigen: define CGAL_EIGEN3_ENABLED");
-#endif
-}
 
 // A surface that the user handed over. Where it is a copy of the input, walks over it keep to the patches of the run, and
 // begin where the vertices are.

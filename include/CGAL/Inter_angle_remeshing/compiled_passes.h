@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_COMPILED_PASSES_H
+#define CGAL_INTER_ANGLE_REMESHING_COMPILED_PASSES_H
+
+/*!
+\file
+\ingroup PkgInterAngleRemeshingRef
+
+The one source file that compiles the passes for a program of many. Where `CGAL_INTER_ANGLE_REMESHING_COMPILED` is defined
+`isotropic_remeshing.h` leaves their definitions out, which halves the time that it takes to compile; a source file that includes
+nothing but this header compiles them once, with the same options. CMake's target `CGAL::Inter_angle_remeshing_compiled`
+does both.
+*/
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_COMPILED
+#  define CGAL_INTER_ANGLE_REMESHING_COMPILED
+#endif
+
+#include <CGAL/Inter_angle_remeshing/internal/Remesher.h>
+#include <CGAL/Inter_angle_remeshing/internal/paper_surface_impl.h>
+
+#include <CGAL/tags.h>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+template Run_result run_passes<CGAL::Sequential_tag>(Remeshing_context&, const Schedule&);
+#ifdef CGAL_LINKED_WITH_TBB
+template Run_result run_passes<CGAL::Parallel_tag>(Remeshing_context&, const Schedule&);
+#endif
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_COMPILED_PASSES_H
