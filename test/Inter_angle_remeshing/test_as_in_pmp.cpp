@@ -3,7 +3,8 @@
 
 // What this package shares with CGAL::Polygon_mesh_processing::isotropic_remeshing(): its parameters, and what its users rely
 // on without having asked for it. Both functions are run with the same arguments: what one keeps, the other one keeps, too,
-// or better. In the end, what that package's own tests of the function look at.
+// or better. In the end, what that package's own tests of the function look at. Each call of ours is made on a Polyhedron_3, too,
+// and comes to the same.
 
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 
@@ -12,6 +13,7 @@
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include "Polyhedron_twin.h"
 #include "check.h"
 #include "invariants.h"
 #include "meshes.h"
@@ -41,7 +43,10 @@ struct Ours
   template <class Faces, class NamedParameters>
   static void run(const Faces& range, double length, Mesh& mesh, const NamedParameters& np)
   {
+    Polyhedron_twin twin(mesh, range, np);
     CGAL::Inter_angle_remeshing::isotropic_remeshing(range, length, mesh, np);
+    twin.run(length, np);
+    CHECK_MESSAGE(twin.is_like(mesh, np), length);
   }
 };
 

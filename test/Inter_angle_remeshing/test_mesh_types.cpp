@@ -637,6 +637,20 @@ void patches_may_have_names()
     CHECK_MESSAGE(names[f] == name(f), names[f]);
 }
 
+// A length as a function of exact points, with exact values, comes to what it comes to in doubles.
+void lengths_may_be_exact()
+{
+  const Soup soup = meshes::sphere(3);
+  auto exact = meshes::to_mesh<CGAL::Surface_mesh<Epeck::Point_3>>(soup);
+  auto plain = meshes::to_mesh<Double_mesh>(soup);
+  IAR::isotropic_remeshing([](const Epeck::Point_3& p) -> Epeck::FT { return (3 + p.z()) / 16; }, exact);
+  IAR::isotropic_remeshing([](const Double_kernel::Point_3& p) { return (3 + p.z()) / 16; }, plain);
+  CHECK(exact.number_of_faces() != soup.faces.size());
+  CHECK(exact.number_of_vertices() == plain.number_of_vertices() && exact.number_of_faces() == plain.number_of_faces());
+  for(const auto v : plain.vertices())
+    CHECK(coordinates(exact.point(v)) == coordinates(plain.point(v)));
+}
+
 // A part of a mesh as a mesh of its own cannot be changed, as a range of faces it can be remeshed.
 void a_filtered_mesh_is_a_range()
 {
@@ -728,6 +742,7 @@ int main()
   garbage_can_be_collected<Double_tri_mesh>();
 #endif
   patches_may_have_names();
+  lengths_may_be_exact();
   a_map_of_points_will_do();
   a_filtered_mesh_is_a_range();
   return result();

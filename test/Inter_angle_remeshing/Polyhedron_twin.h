@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_TEST_POLYHEDRON_TWIN_H
+#define CGAL_INTER_ANGLE_REMESHING_TEST_POLYHEDRON_TWIN_H
+
+// A Polyhedron_3 that is a copy of a Surface_mesh, with copies of the property maps of a call: the call on the one must come to
+// the same as on the other.
+
+#include <CGAL/Inter_angle_remeshing/internal/named_parameters.h>
+#include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include "invariants.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+class Polyhedron_twin
+{
+  using Polyhedron = CGAL::Polyhedron_3<invariants::Kernel>;
+  using Traits = boost::graph_traits<Polyhedron>;
+  using Point = invariants::Point;
+  using Triangle = std::array<Point, 3>;
+
+public:
+  template <class Faces, class NamedParameters>
+  Polyhedron_twin(const invariants::Mesh& mesh, const Faces& range, const NamedParameters& np)
+  {
+    std::unordered_map<invariants::Face, Traits::face_descriptor> twin_of_face;
+    std::unordered_map<invariants::Vertex, Traits::vertex_descriptor> twin_of_vertex;
+    std::unordered_map<invariants::Mesh::Halfedge_index, Traits::halfedge_descriptor> twin_of_halfedge;
+    CGAL::copy_face_graph(mesh, polyhedron_,
+                          CGAL::parameters::vertex_to_vertex_output_iterator(std::inserter(twin_of_vertex, twin_of_vertex.end()))
+                            .halfedge_to_halfedge_output_iterator(std::inserter(twin_of_halfedge, twin_of_halfedge.end()))
+                            .face_to_face_output_iterator(std::inserter(twin_of_face, twin_of_face.end())));
+    // Elements are met in the same order when their half-edges are the same.
+    for(const auto f : mesh.faces())
+      set_halfedge(twin_of_face.at(f), twin_of_halfedge.at(mesh.halfedge(f)), polyhedron_);
+    for(const auto f : range)
+      range_.push_back(twin_of_face.at(f));
+    if constexpr(has<NamedParameters, CGAL::internal_np::edge_is_constrained_t>())
+      for(const auto e : mesh.edges())
+        edge_marks_[edge(twin_of_halfedge.at(mesh.halfedge(e)), polyhedron_)] =
+          get(parameter(np, CGAL::internal_np::edge_is_constrained), e);
+    if constexpr(has<NamedParameters, CGAL::internal_np::vertex_is_constrained_t>())
+      for(const auto v : mesh.vertices())
+        vertex_marks_[twin_of_vertex.at(v)] = get(parameter(np, CGAL::internal_np::vertex_is_constrained), v);
+    if constexpr(has<NamedParameters, CGAL::internal_np::face_patch_t>())
+      for(const auto f : mesh.faces())
+        patches_[twin_of_face.at(f)] = get(parameter(np, CGAL::internal_np::face_patch), f);
+  }
+
+  template <class NamedParameters>
+  void run(double length, const NamedParameters& np)
+  {
+    using CGAL::parameters::choose_parameter;
+    namespace tags = CGAL::internal_np;
+    run_with_steps(length, np,
+      with_patches<NamedParameters>(with_vertices<NamedParameters>(with_edges<NamedParameters>(
+        CGAL::parameters::number_of_iterations(choose_parameter(parameter(np, tags::number_of_iterations), 10u))
+          .protect_constraints(choose_parameter(parameter(np, tags::protect_constraints), false))
+          .collapse_constraints(choose_parameter(parameter(np, tags::collapse_constraints), true))
+          .relax_constraints(choose_parameter(parameter(np, tags::relax_constraints), true))))));
+  }
+
+  // Whether the mesh, after the same call, has the same faces with the same patches, and the same marked edges.
+  template <class NamedParameters>
+  bool is_like(const invariants::Mesh& mesh, const NamedParameters& np) const
+  {
+    if constexpr(has<NamedParameters, CGAL::internal_np::edge_is_constrained_t>())
+    {
+      const auto map = parameter(np, CGAL::internal_np::edge_is_constrained);
+      if(marked_edges(mesh, map) != marked_edges(polyhedron_, boost::make_assoc_property_map(edge_marks_)))
+        return false;
+    }
+    if constexpr(has<NamedParameters, CGAL::internal_np::face_patch_t>())
+    {
+      const auto map = parameter(np, CGAL::internal_np::face_patch);
+      if(triangles(mesh, map) != triangles(polyhedron_, boost::make_assoc_property_map(patches_)))
+        return false;
+    }
+    const No_patches none;
+    return polyhedron_.is_valid() && triangles(mesh, none) == triangles(polyhedron_, none);
+  }
+
+private:
+  template <class NamedParameters, class Tag>
+  static constexpr bool has()
+  {
+    return CGAL::Inter_angle_remeshing::internal::has_parameter<NamedParameters, Tag>();
+  }
+  template <class NamedParameters, class Tag>
+  static auto parameter(const NamedParameters& np, Tag tag) { return CGAL::parameters::get_parameter(np, tag); }
+
+  template <class Given, class NamedParameters>
+  auto with_edges(const NamedParameters& np)
+  {
+    if constexpr(has<Given, CGAL::internal_np::edge_is_constrained_t>())
+      return np.edge_is_constrained_map(boost::make_assoc_property_map(edge_marks_));
+    else
+      return np;
+  }
+  template <class Given, class NamedParameters>
+  auto with_vertices(const NamedParameters& np)
+  {
+    if constexpr(has<Given, CGAL::internal_np::vertex_is_constrained_t>())
+      return np.vertex_is_constrained_map(boost::make_assoc_property_map(vertex_marks_));
+    else
+      return np;
+  }
+  template <class Given, class NamedParameters>
+  auto with_patches(const NamedParameters& np)
+  {
+    if constexpr(has<Given, CGAL::internal_np::face_patch_t>())
+      return np.face_patch_map(boost::make_assoc_property_map(patches_));
+    else
+      return np;
+  }
+  template <class Given, class NamedParameters>
+  void run_with_steps(double length, const Given& given, const NamedParameters& np)
+  {
+    using CGAL::Inter_angle_remeshing::isotropic_remeshing;
+    if constexpr(has<Given, CGAL::internal_np::number_of_relaxation_steps_t>())
+      isotropic_remeshing(range_, length, polyhedron_, np.number_of_relaxation_steps(
+        parameter(given, CGAL::internal_np::number_of_relaxation_steps)));
+    else
+      isotropic_remeshing(range_, length, polyhedron_, np);
+  }
+
+  struct No_patches
+  {
+    template <class Face>
+    friend int get(const No_patches&, const Face&) { return 0; }
+  };
+
+  template <class Graph, class Map>
+  static auto triangles(const Graph& g, const Map& patches)
+  {
+    using Patch = std::decay_t<decltype(get(patches, *faces(g).begin()))>;
+    std::vector<std::pair<Triangle, Patch>> result;
+    const auto points = get(CGAL::vertex_point, g);
+    for(const auto f : faces(g))
+    {
+      const auto h = halfedge(f, g);
+      Triangle t = {get(points, source(h, g)), get(points, target(h, g)), get(points, target(next(h, g), g))};
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+      result.emplace_back(t, get(patches, f));
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  template <class Graph, class Map>
+  static std::multiset<std::pair<Point, Point>> marked_edges(const Graph& g, const Map& marks)
+  {
+    std::multiset<std::pair<Point, Point>> result;
+    const auto points = get(CGAL::vertex_point, g);
+    for(const auto e : edges(g))
+      if(get(marks, e))
+        result.insert(std::minmax(get(points, source(e, g)), get(points, target(e, g))));
+    return result;
+  }
+
+  Polyhedron polyhedron_;
+  std::vector<Traits::face_descriptor> range_;
+  std::unordered_map<Traits::edge_descriptor, bool> mutable edge_marks_;
+  std::unordered_map<Traits::vertex_descriptor, bool> vertex_marks_;
+  std::unordered_map<Traits::face_descriptor, int> mutable patches_;
+};
+
+#endif // CGAL_INTER_ANGLE_REMESHING_TEST_POLYHEDRON_TWIN_H
