@@ -63,7 +63,8 @@ public:
     drop_parallel_chains();
     drop_dangling_chains(0);
     for (const std::vector<Index>& component : components())
-      if (length_of(component) < (std::max)(LEAST_COMPONENT, LENGTH_A_FREE_END * free_ends(component)) * length_)
+      if (component.size() < LEAST_EDGES ||
+          length_of(component) < (std::max)(LEAST_COMPONENT, LENGTH_A_FREE_END * free_ends(component)) * length_)
         drop(component);
   }
 
@@ -84,6 +85,7 @@ private:
 
   static constexpr double STRONG_ANGLE = 45;
   static constexpr double DANGLING_LENGTH = 4, LEAST_COMPONENT = 5, LENGTH_A_FREE_END = 40;
+  static constexpr std::size_t LEAST_EDGES = 20;       // fewer are a wrinkle as often as not
   static constexpr double LEAST_STRONG_SHARE = 0.5, LARGEST_BAD_SHARE = 0.25;
   static constexpr double BEND_COSINE = 0.7071067811865476;       // 45 degrees
   static constexpr double PARALLEL_DISTANCE = 0.35, PARALLEL_SHARE = 0.25;
