@@ -72,8 +72,10 @@ struct Recipe
   /// edges, or edges of the range are protected, the iterations run on the target length all the same.
   bool multi_level = true;
   /// by how much the target length rises with the distance from curves whose edges must be shorter than it is, where details
-  /// are small or strips narrow, as a slope: on CAD models, as the dihedral angles tell them, such edges bring the target near
-  /// them down to their own length, but not below 0.3 of it. That costs faces; 0 turns it off, as does a sizing field.
+  /// are small or strips narrow, as a slope: such edges bring the target near them down to their own length, but not below 0.3 of
+  /// it. So it is on CAD models, as the dihedral angles tell them, and wherever curves hold details of less than half the target
+  /// length: two corners, or a ring of three edges; but not where that is less than half of the input's mean edge. Protected
+  /// edges do not count. It costs faces; 0 turns it off, as does a sizing field.
   double grading = 0.2;
   /// whether, after the last iteration, valences of 4 and less and angles out of the band are mended, and faces fitted
   bool clean_up = true;

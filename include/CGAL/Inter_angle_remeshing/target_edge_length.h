@@ -47,8 +47,8 @@ inline double length_for_face_count(double area, std::size_t n)
 Source: a surface of area A is covered by F equilateral triangles of edge l = √(4A / (√3 F)); the length is corrected
 by what the remesher was measured to yield. Measured on 13 closed surfaces that are refined or keep their number of
 faces: within 3%; within 12% where they are coarsened to a sixth. `Face_count` comes nearer, for it steers during the
-run. On CAD models `Recipe::grading` adds faces that this length does not know of, up to several times as many where the
-target is coarse.
+run. On CAD models, and where borders have small details, `Recipe::grading` adds faces that this length does not know of, up to
+several times as many where the target is coarse.
 Complexity: linear in the number of faces of the range.
 
 @tparam FaceRange a model of `ConstRange` with the faces of `TriangleMesh` as value type

@@ -33,6 +33,11 @@ public:
   template <class Offsets>
   void bend(const Offsets& offsets);
 
+  // Whether an edge is less than this long that no collapse can make longer: from corner to corner, or of a closed curve's last three.
+  bool have_last_edges_under(double length) const
+  {
+    return std::any_of(curves_.begin(), curves_.end(), [&](const Curve& c) { return c.length < (c.is_closed ? 3 : 1) * length; });
+  }
   // The point at arc length t; on a closed curve t may be any number.
   Vector3 point(Index curve, double t) const;
   // A bound of the distance from the part of the curve between s and t to the segment from p to q, which lie there.

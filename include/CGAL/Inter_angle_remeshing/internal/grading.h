@@ -62,19 +62,22 @@ public:
     field_ = part_;
   }
 
-  // Lowers the parts at short edges of curves, and around them: they rise by `rate` over a unit of length.
+  // Lowers the parts at short edges of curves, and around them: they rise by `rate` over a unit of length. Protected edges say
+  // nothing about details.
   void sink(const Remeshing_mesh& mesh, double target_length, double rate)
   {
     std::vector<Index> sunk;
     for (Index v = 0; v < Index(part_.size()); ++v) {
-      if (!mesh.is_vertex(v) || !mesh.is_on_curve(v) || mesh.is_locked(v)) continue;
+      if (!mesh.is_vertex(v) || !mesh.is_on_curve(v)) continue;
       double sum = 0;
       int edges = 0;
+      bool is_protected = false;
       for_each_curve_halfedge(mesh, v, [&](Index h) {
         sum += std::sqrt(squared_distance(mesh.position(v), mesh.position(mesh.source(mesh.opposite(h)))));
         ++edges;
+        is_protected = is_protected || mesh.is_protected(h < 0 ? ~h : h);
       });
-      if (edges == 0) continue;
+      if (edges == 0 || is_protected) continue;
       const double bound = CURVE_EDGE * sum / (edges * target_length), before = part(v);
       part_[v] = float((std::min)(before, (std::max)(SMALLEST * before, bound)));
       if (part(v) < before) sunk.push_back(v);

@@ -123,6 +123,13 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, double length, const Par
   return kind;
 }
 
+// Whether curves hold details that the target length must fall to. One much under the length of the input's edges finds none.
+inline bool has_details_smaller_than(double target, const Input_curves& curves, double mean_length)
+{
+  constexpr double SMALL = 0.5;
+  return target > SMALL * mean_length && curves.have_last_edges_under(SMALL * target);
+}
+
 template <class ConcurrencyTag, class FaceRange, class Length, class TriangleMesh, class Parameters>
 Remeshing_report remesh_range(const FaceRange& range, const Length& length, TriangleMesh& tmesh,
                               Parameters& parameters)
@@ -150,6 +157,8 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   Remeshing_mesh mesh = exchange.take_mesh();
   mesh.renumber<ConcurrencyTag>(morton_order(mesh));
   Input_curves curves(mesh);
+  const bool has_small_details = wanted.sizing.is_uniform() &&
+    (kind.is_cad || (!parameters.constraint_settings.protect && has_details_smaller_than(target, curves, mean_length)));
 
   const auto rule = [&](const auto& policy) {
     return make_edge_rule(policy, exchange.input_vertices(), boost::graph_traits<TriangleMesh>::null_vertex());
@@ -162,7 +171,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
     Remeshing_context context{mesh, parameters.recipe, curves, rule(parameters.split_policy), rule(parameters.collapse_policy),
                               rule(parameters.flip_policy), projector, parameters.visitor, parameters.may_collapse_constraints,
                               target, parameters.may_subdivide, wanted.sizing, locator ? &*locator : nullptr,
-                              kind.is_cad && wanted.sizing.is_uniform() ? parameters.recipe.grading : 0., Grading()};
+                              has_small_details ? parameters.recipe.grading : 0., Grading()};
     const Run_result result = run_passes<Concurrency>(context, parameters.schedule);
     is_to_be_written = result.has_target_length;
     if (is_to_be_written && attributes.are_carried()) attributes.read(mesh, *locator);
