@@ -288,7 +288,7 @@ inline bool Feature_graph::runs_beside(const Chain& chain, const std::vector<Vec
       return v >= 0 && degree(v) > 1 && squared_distance(position(v), p) < at_junction * at_junction; });
     if (is_at_junction) continue;
     ++looked_at;
-    beside += others.has_near(p);
+    beside += others.has_near(p, PARALLEL_DISTANCE * length_);
   }
   return double(beside) > PARALLEL_SHARE * double(looked_at);
 }

@@ -24,23 +24,19 @@ namespace internal {
 class Point_grid
 {
 public:
-  explicit Point_grid(double distance) : distance_(distance) {}
+  // Cells of this size suit queries of about that reach.
+  explicit Point_grid(double size) : size_(size) {}
 
   void insert(const Vector3& p, int number = 0) { points_[cell_of(p)].push_back({p, number}); }
 
-  // Whether a point lies nearer to p than the distance.
-  bool has_near(const Vector3& p) const
+  // Whether a point lies nearer to p than this.
+  bool has_near(const Vector3& p, double distance) const
   {
-    const Cell c = cell_of(p);
-    for (int i = -1; i <= 1; ++i)
-      for (int j = -1; j <= 1; ++j)
-        for (int k = -1; k <= 1; ++k) {
-          const auto found = points_.find(Cell{c[0] + i, c[1] + j, c[2] + k});
-          if (found == points_.end()) continue;
-          for (const Entry& q : found->second)
-            if (squared_distance(p, q.point) < distance_ * distance_) return true;
-        }
-    return false;
+    bool result = false;
+    const Vector3 reach{distance, distance, distance};
+    for_each_entry_in_box(p - reach, p + reach, [&](const Entry& e) {
+      result = result || squared_distance(p, e.point) < distance * distance; });
+    return result;
   }
 
   // Calls `function(number)` for the points in the cells that meet the box; where these are more than the cells that hold points,
@@ -48,23 +44,7 @@ public:
   template <class Function>
   void for_each_in_box(const Vector3& low, const Vector3& high, const Function& function) const
   {
-    const Cell first = cell_of(low), last = cell_of(high);
-    double cells = 1;
-    for (int k = 0; k < 3; ++k) cells *= double(last[k] - first[k]) + 1;
-    if (cells > double(points_.size())) {
-      for (const auto& cell : points_)
-        if (std::equal(first.begin(), first.end(), cell.first.begin(), std::less_equal<std::int64_t>()) &&
-            std::equal(last.begin(), last.end(), cell.first.begin(), std::greater_equal<std::int64_t>()))
-          for (const Entry& e : cell.second) function(e.number);
-      return;
-    }
-    for (Cell c = first; c[0] <= last[0]; ++c[0])
-      for (c[1] = first[1]; c[1] <= last[1]; ++c[1])
-        for (c[2] = first[2]; c[2] <= last[2]; ++c[2]) {
-          const auto found = points_.find(c);
-          if (found == points_.end()) continue;
-          for (const Entry& e : found->second) function(e.number);
-        }
+    for_each_entry_in_box(low, high, [&](const Entry& e) { function(e.number); });
   }
 
 private:
@@ -74,6 +54,28 @@ private:
     Vector3 point;
     int number;
   };
+
+  template <class Function>
+  void for_each_entry_in_box(const Vector3& low, const Vector3& high, const Function& function) const
+  {
+    const Cell first = cell_of(low), last = cell_of(high);
+    double cells = 1;
+    for (int k = 0; k < 3; ++k) cells *= double(last[k] - first[k]) + 1;
+    if (cells > double(points_.size())) {
+      for (const auto& cell : points_)
+        if (std::equal(first.begin(), first.end(), cell.first.begin(), std::less_equal<std::int64_t>()) &&
+            std::equal(last.begin(), last.end(), cell.first.begin(), std::greater_equal<std::int64_t>()))
+          for (const Entry& e : cell.second) function(e);
+      return;
+    }
+    for (Cell c = first; c[0] <= last[0]; ++c[0])
+      for (c[1] = first[1]; c[1] <= last[1]; ++c[1])
+        for (c[2] = first[2]; c[2] <= last[2]; ++c[2]) {
+          const auto found = points_.find(c);
+          if (found == points_.end()) continue;
+          for (const Entry& e : found->second) function(e);
+        }
+  }
 
   // By three large primes (M. Teschner et al., Vision, Modeling and Visualization 2003).
   struct Hash
@@ -86,11 +88,11 @@ private:
 
   Cell cell_of(const Vector3& p) const
   {
-    return {std::int64_t(std::floor(p.x / distance_)), std::int64_t(std::floor(p.y / distance_)),
-            std::int64_t(std::floor(p.z / distance_))};
+    return {std::int64_t(std::floor(p.x / size_)), std::int64_t(std::floor(p.y / size_)),
+            std::int64_t(std::floor(p.z / size_))};
   }
 
-  double distance_;
+  double size_;
   std::unordered_map<Cell, std::vector<Entry>, Hash> points_;
 };
 

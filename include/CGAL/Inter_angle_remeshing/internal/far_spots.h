@@ -72,9 +72,9 @@ public:
     std::stable_sort(found.begin(), found.end(), [](const Spot& a, const Spot& b) {
       return a.distance / a.length > b.distance / b.length; });
     std::vector<Spot> result;
-    Point_grid accepted(SPOT_DISTANCE * context_.target_length);
+    Point_grid accepted(SPOT_DISTANCE * context_.largest_length());
     for (const Spot& spot : found) {
-      if (accepted.has_near(spot.sample.point) || is_near_elsewhere(spot)) continue;
+      if (accepted.has_near(spot.sample.point, SPOT_DISTANCE * spot.length) || is_near_elsewhere(spot)) continue;
       accepted.insert(spot.sample.point);
       result.push_back(spot);
       if (result.size() == most) break;
