@@ -85,7 +85,7 @@ private:
 
   static constexpr double STRONG_ANGLE = 45;
   static constexpr double DANGLING_LENGTH = 4, LEAST_COMPONENT = 5, LENGTH_A_FREE_END = 40;
-  static constexpr std::size_t LEAST_EDGES = 20;       // fewer are a wrinkle as often as not
+  static constexpr std::size_t LEAST_EDGES = 12;       // the ring of fewer turns by 30 degrees at each
   static constexpr double LEAST_STRONG_SHARE = 0.5, LARGEST_BAD_SHARE = 0.25;
   static constexpr double BEND_COSINE = 0.7071067811865476;       // 45 degrees
   static constexpr double PARALLEL_DISTANCE = 0.35, PARALLEL_SHARE = 0.25;

@@ -229,7 +229,8 @@ private:
     const double high = context_.split_rule.is_never() ? inf : context_.squared_length_limit() * (widening * widening);
     std::vector<Remeshing_mesh::Index> long_edges, short_edges;
     std::size_t splits = 0;
-    context_.template measure_grading<ConcurrencyTag>();
+    // Edges of curves that are short in the beginning may be those of the input.
+    context_.template measure_grading<ConcurrencyTag>(report_.iterations > 0);
     run_pass(Pass::split, report_.splits, [&]() {
       if (context_.grading.is_uniform()) {
         for (const Remeshing_mesh::Index h : edges_out_of<ConcurrencyTag>(mesh_, low, high))

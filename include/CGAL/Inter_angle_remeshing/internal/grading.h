@@ -62,8 +62,8 @@ public:
     field_ = part_;
   }
 
-  // Lowers the parts at short edges of curves, and around them: they rise by `rate` over a unit of length. Protected edges say
-  // nothing about details.
+  // Lowers the parts at short edges of curves, and around them: they rise by `rate` over a unit of length. Protected
+  // edges say nothing about details.
   void sink(const Remeshing_mesh& mesh, double target_length, double rate)
   {
     std::vector<Index> sunk;
@@ -73,9 +73,9 @@ public:
       int edges = 0;
       bool is_protected = false;
       for_each_curve_halfedge(mesh, v, [&](Index h) {
-        sum += std::sqrt(squared_distance(mesh.position(v), mesh.position(mesh.source(mesh.opposite(h)))));
-        ++edges;
         is_protected = is_protected || mesh.is_protected(h < 0 ? ~h : h);
+        sum += length(mesh.position(mesh.source(mesh.opposite(h))) - mesh.position(v));
+        ++edges;
       });
       if (edges == 0 || is_protected) continue;
       const double bound = CURVE_EDGE * sum / (edges * target_length), before = part(v);
