@@ -31,68 +31,6 @@ class Polyhedron_twin
   using Point = invariants::Point;
   using Triangle = std::array<Point, 3>;
 
-public:
-  template <class Faces, class NamedParameters>
-  Polyhedron_twin(const invariants::Mesh& mesh, const Faces& range, const NamedParameters& np)
-  {
-    std::unordered_map<invariants::Face, Traits::face_descriptor> twin_of_face;
-    std::unordered_map<invariants::Vertex, Traits::vertex_descriptor> twin_of_vertex;
-    std::unordered_map<invariants::Mesh::Halfedge_index, Traits::halfedge_descriptor> twin_of_halfedge;
-    CGAL::copy_face_graph(mesh, polyhedron_,
-                          CGAL::parameters::vertex_to_vertex_output_iterator(std::inserter(twin_of_vertex, twin_of_vertex.end()))
-                            .halfedge_to_halfedge_output_iterator(std::inserter(twin_of_halfedge, twin_of_halfedge.end()))
-                            .face_to_face_output_iterator(std::inserter(twin_of_face, twin_of_face.end())));
-    // Elements are met in the same order when their half-edges are the same.
-    for(const auto f : mesh.faces())
-      set_halfedge(twin_of_face.at(f), twin_of_halfedge.at(mesh.halfedge(f)), polyhedron_);
-    for(const auto f : range)
-      range_.push_back(twin_of_face.at(f));
-    if constexpr(has<NamedParameters, CGAL::internal_np::edge_is_constrained_t>())
-      for(const auto e : mesh.edges())
-        edge_marks_[edge(twin_of_halfedge.at(mesh.halfedge(e)), polyhedron_)] =
-          get(parameter(np, CGAL::internal_np::edge_is_constrained), e);
-    if constexpr(has<NamedParameters, CGAL::internal_np::vertex_is_constrained_t>())
-      for(const auto v : mesh.vertices())
-        vertex_marks_[twin_of_vertex.at(v)] = get(parameter(np, CGAL::internal_np::vertex_is_constrained), v);
-    if constexpr(has<NamedParameters, CGAL::internal_np::face_patch_t>())
-      for(const auto f : mesh.faces())
-        patches_[twin_of_face.at(f)] = get(parameter(np, CGAL::internal_np::face_patch), f);
-  }
-
-  template <class NamedParameters>
-  void run(double length, const NamedParameters& np)
-  {
-    using CGAL::parameters::choose_parameter;
-    namespace tags = CGAL::internal_np;
-    run_with_steps(length, np,
-      with_patches<NamedParameters>(with_vertices<NamedParameters>(with_edges<NamedParameters>(
-        CGAL::parameters::number_of_iterations(choose_parameter(parameter(np, tags::number_of_iterations), 10u))
-          .protect_constraints(choose_parameter(parameter(np, tags::protect_constraints), false))
-          .collapse_constraints(choose_parameter(parameter(np, tags::collapse_constraints), true))
-          .relax_constraints(choose_parameter(parameter(np, tags::relax_constraints), true))))));
-  }
-
-  // Whether the mesh, after the same call, has the same faces with the same patches, and the same marked edges.
-  template <class NamedParameters>
-  bool is_like(const invariants::Mesh& mesh, const NamedParameters& np) const
-  {
-    if constexpr(has<NamedParameters, CGAL::internal_np::edge_is_constrained_t>())
-    {
-      const auto map = parameter(np, CGAL::internal_np::edge_is_constrained);
-      if(marked_edges(mesh, map) != marked_edges(polyhedron_, boost::make_assoc_property_map(edge_marks_)))
-        return false;
-    }
-    if constexpr(has<NamedParameters, CGAL::internal_np::face_patch_t>())
-    {
-      const auto map = parameter(np, CGAL::internal_np::face_patch);
-      if(triangles(mesh, map) != triangles(polyhedron_, boost::make_assoc_property_map(patches_)))
-        return false;
-    }
-    const No_patches none;
-    return polyhedron_.is_valid() && triangles(mesh, none) == triangles(polyhedron_, none);
-  }
-
-private:
   template <class NamedParameters, class Tag>
   static constexpr bool has()
   {
@@ -170,6 +108,68 @@ private:
     return result;
   }
 
+public:
+  template <class Faces, class NamedParameters>
+  Polyhedron_twin(const invariants::Mesh& mesh, const Faces& range, const NamedParameters& np)
+  {
+    std::unordered_map<invariants::Face, Traits::face_descriptor> twin_of_face;
+    std::unordered_map<invariants::Vertex, Traits::vertex_descriptor> twin_of_vertex;
+    std::unordered_map<invariants::Mesh::Halfedge_index, Traits::halfedge_descriptor> twin_of_halfedge;
+    CGAL::copy_face_graph(mesh, polyhedron_,
+                          CGAL::parameters::vertex_to_vertex_output_iterator(std::inserter(twin_of_vertex, twin_of_vertex.end()))
+                            .halfedge_to_halfedge_output_iterator(std::inserter(twin_of_halfedge, twin_of_halfedge.end()))
+                            .face_to_face_output_iterator(std::inserter(twin_of_face, twin_of_face.end())));
+    // Elements are met in the same order when their half-edges are the same.
+    for(const auto f : mesh.faces())
+      set_halfedge(twin_of_face.at(f), twin_of_halfedge.at(mesh.halfedge(f)), polyhedron_);
+    for(const auto f : range)
+      range_.push_back(twin_of_face.at(f));
+    if constexpr(has<NamedParameters, CGAL::internal_np::edge_is_constrained_t>())
+      for(const auto e : mesh.edges())
+        edge_marks_[edge(twin_of_halfedge.at(mesh.halfedge(e)), polyhedron_)] =
+          get(parameter(np, CGAL::internal_np::edge_is_constrained), e);
+    if constexpr(has<NamedParameters, CGAL::internal_np::vertex_is_constrained_t>())
+      for(const auto v : mesh.vertices())
+        vertex_marks_[twin_of_vertex.at(v)] = get(parameter(np, CGAL::internal_np::vertex_is_constrained), v);
+    if constexpr(has<NamedParameters, CGAL::internal_np::face_patch_t>())
+      for(const auto f : mesh.faces())
+        patches_[twin_of_face.at(f)] = get(parameter(np, CGAL::internal_np::face_patch), f);
+  }
+
+  template <class NamedParameters>
+  void run(double length, const NamedParameters& np)
+  {
+    using CGAL::parameters::choose_parameter;
+    namespace tags = CGAL::internal_np;
+    run_with_steps(length, np,
+      with_patches<NamedParameters>(with_vertices<NamedParameters>(with_edges<NamedParameters>(
+        CGAL::parameters::number_of_iterations(choose_parameter(parameter(np, tags::number_of_iterations), 10u))
+          .protect_constraints(choose_parameter(parameter(np, tags::protect_constraints), false))
+          .collapse_constraints(choose_parameter(parameter(np, tags::collapse_constraints), true))
+          .relax_constraints(choose_parameter(parameter(np, tags::relax_constraints), true))))));
+  }
+
+  // Whether the mesh, after the same call, has the same faces with the same patches, and the same marked edges.
+  template <class NamedParameters>
+  bool is_like(const invariants::Mesh& mesh, const NamedParameters& np) const
+  {
+    if constexpr(has<NamedParameters, CGAL::internal_np::edge_is_constrained_t>())
+    {
+      const auto map = parameter(np, CGAL::internal_np::edge_is_constrained);
+      if(marked_edges(mesh, map) != marked_edges(polyhedron_, boost::make_assoc_property_map(edge_marks_)))
+        return false;
+    }
+    if constexpr(has<NamedParameters, CGAL::internal_np::face_patch_t>())
+    {
+      const auto map = parameter(np, CGAL::internal_np::face_patch);
+      if(triangles(mesh, map) != triangles(polyhedron_, boost::make_assoc_property_map(patches_)))
+        return false;
+    }
+    const No_patches none;
+    return polyhedron_.is_valid() && triangles(mesh, none) == triangles(polyhedron_, none);
+  }
+
+private:
   Polyhedron polyhedron_;
   std::vector<Traits::face_descriptor> range_;
   std::unordered_map<Traits::edge_descriptor, bool> mutable edge_marks_;
