@@ -753,7 +753,7 @@ bool check_random_case(std::uint64_t seed)
 
 void random_meshes_keep_what_they_must()
 {
-  const std::uint64_t cases = meshes::is_small_run() ? 120 : 800;
+  const std::uint64_t cases = meshes::is_small_run() ? 200 : 800;
   std::uint64_t crossed = 0;
   for(std::uint64_t seed = 0; seed < cases; ++seed)
     crossed += check_random_case(seed);
