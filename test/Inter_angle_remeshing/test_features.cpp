@@ -134,11 +134,11 @@ double share_kept(const std::vector<Segment_3>& from, const std::vector<Segment_
 
 // --- detection ---------------------------------------------------------------------------------------------------
 
-std::set<Edge> found_features(const Mesh& m)
+std::set<Edge> found_features(const Mesh& m, double scale = 0)
 {
   Mesh copy = m;
   Edge_map map = copy.add_property_map<Edge, bool>("e:feature", true).first;
-  const std::size_t n = IAR::detect_features(faces(copy), copy, map);
+  const std::size_t n = IAR::detect_features(faces(copy), copy, map, scale);
   std::set<Edge> result;
   for(const Edge e : copy.edges())
     if(map[e])
@@ -695,6 +695,21 @@ void a_count_is_met_in_spite_of_grading()
 
 // --- inside --------------------------------------------------------------------------------------------------------
 
+// A greater length finds nothing that the mesh has not at its own.
+void coarser_runs_find_no_more()
+{
+  for(const char* name : {"elephant", "bones", "hand", "handle"})
+  {
+    const Mesh m = read(name);
+    std::set<Edge> before = found_features(m);
+    for(const double factor : {1.25, 1.5, 2., 3., 6.})
+    {
+      const std::set<Edge> found = found_features(m, factor * mean_edge_length(m));
+      CHECK_MESSAGE(std::includes(before.begin(), before.end(), found.begin(), found.end()), name << ", " << factor);
+    }
+  }
+}
+
 // The ring around a double pyramid, as sharp as can be and a few lengths long: kept if it is known by enough edges.
 void rings_of_a_few_edges_are_no_features()
 {
@@ -815,6 +830,7 @@ void the_energy_of_angles_has_its_gradient()
 
 int main()
 {
+  coarser_runs_find_no_more();
   rings_of_a_few_edges_are_no_features();
   places_on_curves_are_found();
   the_energy_of_angles_has_its_gradient();

@@ -37,9 +37,9 @@ less than 8 degrees, it is a CAD model, and every edge of 40 degrees and more is
 If not, it is an organic model or a noisy one. Around connected edges of 30 degrees and more that are 2.5 times as sharp as
 the edges beside them, the face normals are filtered bilaterally, in five passes. An edge stands out if it then has 30
 degrees, and three times the median angle around it. Of the chains of such edges, those are features that form components of
-at least 12 edges and five lengths, and of 40 for each end that leads nowhere; half of their length must have 45 degrees and more; of two
-chains side by side the sharper one stays, and one that runs beside itself, as around a slit, does not. The length is that of
-`scale`, or the mean edge length if that is longer.
+at least 12 edges and five lengths, and of 40 for each end that leads nowhere; half of their length must have 45 degrees and
+more; of two chains side by side the sharper one stays, and one that runs beside itself, as around a slit, does not. The length
+is the mean edge's; of what is found, features are what passes for `scale`, too, where that is longer.
 
 Measured: of the edges over 40 degrees of fandisk.off with a noise of 15% of the edge length, 99% are found, and of what is
 found 99.7% is right. Of the 72 models of \cgal that are not taken for CAD models, six have any feature: turbine.off, a

@@ -30,8 +30,10 @@ class Feature_detector
 public:
   using Index = Remeshing_mesh::Index;
 
-  // Features shorter than a few times `length`, or than a few edges of the mesh, are none.
-  Feature_detector(const Remeshing_mesh& mesh, double length) : mesh_(mesh), length_(length)
+  // Features shorter than a few times `length`, or than a few edges of the mesh, are none: of those that the mesh has on its own, a
+  // greater length leaves some.
+  Feature_detector(const Remeshing_mesh& mesh, double length)
+    : mesh_(mesh), length_(length), own_length_(mean_edge_length(mesh))
   {
     find_normals();
     look_at_edges();
@@ -45,10 +47,8 @@ public:
     find_active_faces();
     if (active_.empty()) return {};
     for (int pass = 0; pass < BILATERAL_PASSES; ++pass) filter_normals();
-    Feature_graph graph(mesh_, length_);
-    for (const Index h : outstanding_edges()) graph.add(h, angle(h));
-    graph.prune();
-    return graph.edges();
+    const std::vector<Index> found = long_chains(outstanding_edges(), own_length_);
+    return length_ > own_length_ ? long_chains(found, length_) : found;
   }
 
 private:
@@ -126,6 +126,15 @@ private:
     is_cad_ = of_mild < 0.5 * of_sharp || (of_mild < 1.1 * of_sharp && 2 * flat_edges > edges);
   }
 
+  // Of these edges, those that form chains and components that are features at the scale of the length.
+  std::vector<Index> long_chains(const std::vector<Index>& edges, double length) const
+  {
+    Feature_graph graph(mesh_, length);
+    for (const Index h : edges) graph.add(h, angle(h));
+    graph.prune();
+    return graph.edges();
+  }
+
   // The faces that the filter must look at: some rings around connected edges that are sharp over some length.
   void find_active_faces();
   bool is_candidate(Index h) const;
@@ -136,7 +145,7 @@ private:
   double mean_noise(Index v);
 
   const Remeshing_mesh& mesh_;
-  double length_;
+  double length_, own_length_;
   bool is_cad_;
   std::vector<Vector3> normal_;        // unit, by face; zero where the face has none
   std::vector<float> area_;            // by face, twice
@@ -156,7 +165,7 @@ inline bool Feature_detector::is_candidate(Index h) const
 
 inline void Feature_detector::find_active_faces()
 {
-  Feature_graph candidates(mesh_, length_);
+  Feature_graph candidates(mesh_, own_length_);
   for (const Index h : sharp_edges_)
     if (is_candidate(h)) candidates.add(h, 0);
   candidates.drop_short_components(LEAST_CANDIDATE_LENGTH);
