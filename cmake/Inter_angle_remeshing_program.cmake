@@ -11,8 +11,10 @@ endif()
 # inter_angle_remeshing_add_program(<name> <source> [<passes>]): a program that uses the package and finds CGAL's meshes. The
 # passes are those of another compiled library where one is named.
 function(inter_angle_remeshing_add_program name source)
-  set(passes ${ARGN} CGAL::Inter_angle_remeshing_compiled)
-  list(GET passes 0 passes)
+  set(passes CGAL::Inter_angle_remeshing_compiled)
+  if(ARGN)
+    set(passes ${ARGN})
+  endif()
   add_executable(${name} "${source}")
   target_link_libraries(${name} PRIVATE ${passes})
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF)

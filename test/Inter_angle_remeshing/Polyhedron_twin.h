@@ -17,7 +17,7 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <iterator>
 #include <set>
 #include <type_traits>
 #include <unordered_map>
@@ -39,39 +39,14 @@ class Polyhedron_twin
   template <class NamedParameters, class Tag>
   static auto parameter(const NamedParameters& np, Tag tag) { return CGAL::parameters::get_parameter(np, tag); }
 
-  template <class Given, class NamedParameters>
-  auto with_edges(const NamedParameters& np)
+  // `add(np)` if that parameter is given, too, else np.
+  template <class Given, class Tag, class NamedParameters, class Add>
+  static auto with(const NamedParameters& np, const Add& add)
   {
-    if constexpr(has<Given, CGAL::internal_np::edge_is_constrained_t>())
-      return np.edge_is_constrained_map(boost::make_assoc_property_map(edge_marks_));
+    if constexpr(has<Given, Tag>())
+      return add(np);
     else
       return np;
-  }
-  template <class Given, class NamedParameters>
-  auto with_vertices(const NamedParameters& np)
-  {
-    if constexpr(has<Given, CGAL::internal_np::vertex_is_constrained_t>())
-      return np.vertex_is_constrained_map(boost::make_assoc_property_map(vertex_marks_));
-    else
-      return np;
-  }
-  template <class Given, class NamedParameters>
-  auto with_patches(const NamedParameters& np)
-  {
-    if constexpr(has<Given, CGAL::internal_np::face_patch_t>())
-      return np.face_patch_map(boost::make_assoc_property_map(patches_));
-    else
-      return np;
-  }
-  template <class Given, class NamedParameters>
-  void run_with_steps(double length, const Given& given, const NamedParameters& np)
-  {
-    using CGAL::Inter_angle_remeshing::isotropic_remeshing;
-    if constexpr(has<Given, CGAL::internal_np::number_of_relaxation_steps_t>())
-      isotropic_remeshing(range_, length, polyhedron_, np.number_of_relaxation_steps(
-        parameter(given, CGAL::internal_np::number_of_relaxation_steps)));
-    else
-      isotropic_remeshing(range_, length, polyhedron_, np);
   }
 
   struct No_patches
@@ -136,17 +111,25 @@ public:
         patches_[twin_of_face.at(f)] = get(parameter(np, CGAL::internal_np::face_patch), f);
   }
 
-  template <class NamedParameters>
-  void run(double length, const NamedParameters& np)
+  template <class Given>
+  void run(double length, const Given& given)
   {
     using CGAL::parameters::choose_parameter;
     namespace tags = CGAL::internal_np;
-    run_with_steps(length, np,
-      with_patches<NamedParameters>(with_vertices<NamedParameters>(with_edges<NamedParameters>(
-        CGAL::parameters::number_of_iterations(choose_parameter(parameter(np, tags::number_of_iterations), 10u))
-          .protect_constraints(choose_parameter(parameter(np, tags::protect_constraints), false))
-          .collapse_constraints(choose_parameter(parameter(np, tags::collapse_constraints), true))
-          .relax_constraints(choose_parameter(parameter(np, tags::relax_constraints), true))))));
+    const auto choices =
+      CGAL::parameters::number_of_iterations(choose_parameter(parameter(given, tags::number_of_iterations), 10u))
+        .protect_constraints(choose_parameter(parameter(given, tags::protect_constraints), false))
+        .collapse_constraints(choose_parameter(parameter(given, tags::collapse_constraints), true))
+        .relax_constraints(choose_parameter(parameter(given, tags::relax_constraints), true));
+    const auto steps = with<Given, tags::number_of_relaxation_steps_t>(choices, [&](const auto& np) {
+      return np.number_of_relaxation_steps(parameter(given, tags::number_of_relaxation_steps)); });
+    const auto edges = with<Given, tags::edge_is_constrained_t>(steps, [&](const auto& np) {
+      return np.edge_is_constrained_map(boost::make_assoc_property_map(edge_marks_)); });
+    const auto vertices = with<Given, tags::vertex_is_constrained_t>(edges, [&](const auto& np) {
+      return np.vertex_is_constrained_map(boost::make_assoc_property_map(vertex_marks_)); });
+    CGAL::Inter_angle_remeshing::isotropic_remeshing(range_, length, polyhedron_,
+      with<Given, tags::face_patch_t>(vertices, [&](const auto& np) {
+        return np.face_patch_map(boost::make_assoc_property_map(patches_)); }));
   }
 
   // Whether the mesh, after the same call, has the same faces with the same patches, and the same marked edges.
@@ -172,6 +155,7 @@ public:
 private:
   Polyhedron polyhedron_;
   std::vector<Traits::face_descriptor> range_;
+  // Mutable, for a property map refers to what can be changed.
   std::unordered_map<Traits::edge_descriptor, bool> mutable edge_marks_;
   std::unordered_map<Traits::vertex_descriptor, bool> vertex_marks_;
   std::unordered_map<Traits::face_descriptor, int> mutable patches_;

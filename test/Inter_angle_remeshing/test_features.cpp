@@ -655,20 +655,26 @@ void grading_mends_small_details()
                          CGAL::Precondition_exception, "grading");
 }
 
-// Borders of organic models have such details where they are jagged: the faces beside them are hardly ever out of their bands.
+// Borders of organic models have such details where they are jagged: few of the faces beside them are out of their bands then.
+// (Measured: 54 instead of 428, 3 of 55, 12 of 57.)
 void grading_mends_jagged_borders()
 {
-  const Mesh input = read("elephant-with-holes");
-  const double length = 2 * mean_edge_length(input);
-  Mesh graded = input, uniform = input;
   IAR::Recipe recipe;
   recipe.grading = 0;
-  const auto with = IAR::isotropic_remeshing(length, graded);
-  const auto without = IAR::isotropic_remeshing(faces(uniform), length, uniform, IAR::recipe(recipe));
-  CHECK_MESSAGE(6 * with.number_of_faces_out_of_band < without.number_of_faces_out_of_band,
-                with.number_of_faces_out_of_band << ", " << without.number_of_faces_out_of_band);
-  CHECK_MESSAGE(with.angles_after.average > without.angles_after.average + 4,
-                with.angles_after.average << ", " << without.angles_after.average);
+  for(const auto& [name, factor] : std::vector<std::pair<std::string, double>>{
+        {"elephant-with-holes", 2}, {"lion", 4}, {"mech-holes-shark", 4}})
+  {
+    Mesh graded = read(name), uniform = graded;
+    if(meshes::is_small_run() && graded.number_of_faces() > 5000)
+      continue;
+    const double length = factor * mean_edge_length(graded);
+    const auto with = IAR::isotropic_remeshing(length, graded);
+    const auto without = IAR::isotropic_remeshing(faces(uniform), length, uniform, IAR::recipe(recipe));
+    CHECK_MESSAGE(3 * with.number_of_faces_out_of_band < without.number_of_faces_out_of_band,
+                  name << ": " << with.number_of_faces_out_of_band << ", " << without.number_of_faces_out_of_band);
+    CHECK_MESSAGE(with.angles_after.average > without.angles_after.average + 2,
+                  name << ": " << with.angles_after.average << ", " << without.angles_after.average);
+  }
   // Not where the edges that are short are protected: they say nothing about details.
   Mesh square = meshes::to_mesh<Mesh>(meshes::square(24)), plain = square;
   const auto protect = parameters::protect_constraints(true);

@@ -33,7 +33,8 @@ public:
   template <class Offsets>
   void bend(const Offsets& offsets);
 
-  // Whether an edge is less than this long that no collapse can make longer: from corner to corner, or of a closed curve's last three.
+  // Whether an edge is less than this long that no collapse can make longer: from corner to corner, or one of the last three of a
+  // closed curve.
   bool have_last_edges_under(double length) const
   {
     return std::any_of(curves_.begin(), curves_.end(), [&](const Curve& c) { return c.length < (c.is_closed ? 3 : 1) * length; });
