@@ -16,6 +16,7 @@
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
@@ -33,6 +34,7 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -360,6 +362,47 @@ void large_distances_are_lowered()
     ++models;
   }
   CHECK_MESSAGE(models == 0 || std::pow(product, 1. / models) < .85, std::pow(product, 1. / models));
+}
+
+std::size_t number_of_crossing_faces(const Mesh& m)
+{
+  std::vector<std::pair<Face, Face>> pairs;
+  PMP::self_intersections(m, std::back_inserter(pairs));
+  std::set<Face> result;
+  for(const auto& [f, g] : pairs)
+    result.insert({f, g});
+  return result.size();
+}
+
+// Chords of thin walls lead through the other side: they are parted. Where the input crosses itself, so does the result, and the
+// report says how many faces do.
+void crossing_faces_are_parted()
+{
+  IAR::Recipe without_repair;
+  without_repair.repair = false;
+  std::size_t crossing = 0;
+  for(const auto& [name, factor] : {std::pair<const char*, double>{"cheese", 2}, {"turbine", 2}})
+  {
+    const Mesh& input = mesh_of_cgal(name);
+    if(meshes::is_small_run() && input.number_of_faces() > SMALL)
+      continue;
+    const double length = factor * mean_edge_length(input);
+    Mesh with = input, without = input;
+    const auto report = IAR::isotropic_remeshing(length, with);
+    CHECK_MESSAGE(report.crossing_faces == 0 && !does_self_intersect(with), name << ": " << report.crossing_faces);
+    IAR::isotropic_remeshing(length, without, IAR::recipe(without_repair));
+    crossing += number_of_crossing_faces(without);
+  }
+  CHECK(meshes::is_small_run() || crossing > 0);
+  for(const char* name : {"camel", "cow", "mannequin-devil"})
+  {
+    Mesh m = mesh_of_cgal(name);
+    if(meshes::is_small_run() && m.number_of_faces() > SMALL)
+      continue;
+    const auto report = IAR::isotropic_remeshing(mean_edge_length(m), m);
+    const std::size_t counted = number_of_crossing_faces(m);
+    CHECK_MESSAGE(counted > 0 && report.crossing_faces == counted, name << ": " << report.crossing_faces << " of " << counted);
+  }
 }
 
 // Where nothing is left to do, the run ends, and the result is as good.
@@ -758,7 +801,7 @@ void random_meshes_keep_what_they_must()
   for(std::uint64_t seed = 0; seed < cases; ++seed)
     crossed += check_random_case(seed);
   // A tube that is as wide as the target is long, faces out of the range that stay in the way of others: rare, not never.
-  CHECK_MESSAGE(crossed <= cases / 100, crossed << " of " << cases);
+  CHECK_MESSAGE(crossed <= cases / 200 + 1, crossed << " of " << cases);
 }
 
 // --- fine targets ------------------------------------------------------------------------------------------------
@@ -911,6 +954,7 @@ int main(int argc, char* argv[])
   wanted_numbers_of_faces_are_met();
   the_repair_reaches_the_band();
   large_distances_are_lowered();
+  crossing_faces_are_parted();
   settled_meshes_end_early();
   angles_are_better_than_those_of_polygon_mesh_processing();
   random_meshes_keep_what_they_must();

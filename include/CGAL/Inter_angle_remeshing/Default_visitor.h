@@ -26,7 +26,7 @@ enum class Pass
   fit,       ///< faces are fitted to the surface
   polish,    ///< angles move into the band; flips beside borders and features
   distance,  ///< the largest distances are lowered
-  repair     ///< flips, collapses and splits where the polish does not reach the band, and at folds
+  repair     ///< flips, collapses and splits where the polish does not reach the band, at folds, and where faces cross others
 };
 
 /*!

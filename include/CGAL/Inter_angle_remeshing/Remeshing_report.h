@@ -90,8 +90,12 @@ struct Remeshing_report
   std::size_t flips = 0;
   /// the number of glides
   std::size_t glides = 0;
-  /// the number of operations that mended angles out of the band, and folds
+  /// the number of operations that mended angles out of the band, folds, and faces that crossed others
   std::size_t repairs = 0;
+  /// the number of faces of the range that cross others of it in the end, as they do where the input crosses itself; two that share
+  /// an edge do not. They are looked for where `Recipe::repair` is on and the target length is not much less than the altitudes of
+  /// the surface's faces; else 0
+  std::size_t crossing_faces = 0;
   /// the angles of the range before
   Angles angles_before;
   /// the angles of the range afterwards

@@ -316,6 +316,7 @@ private:
     Repairer repairer(context_);
     repair(repairer);
     if (goes_on() && lower_distances() > 0) repair(repairer);
+    part_crossing_faces(repairer);
   }
 
   void fit()
@@ -362,6 +363,15 @@ private:
   {
     if (goes_on() && recipe_.repair && recipe_.sweeps > 0 && context_.target_length > 0)
       run_pass(Pass::repair, report_.repairs, [&]() { return repairer.run(); });
+  }
+
+  // Chords much shorter than the surface's own do not lead through another sheet.
+  void part_crossing_faces(Repairer& repairer)
+  {
+    if (goes_on() && recipe_.repair && recipe_.sweeps > 0 && context_.target_length > 0 &&
+        !(context_.projector.has_faces() && is_finer_than_surface(context_, context_.target_length)))
+      run_pass(Pass::repair, report_.repairs, [&]() {
+        return repairer.part_crossing_faces<ConcurrencyTag>(report_.crossing_faces); });
   }
 
   Remeshing_report finish()

@@ -16,13 +16,15 @@
 #include <cstddef>
 #include <vector>
 
-// Whether faces of a small part of the mesh cross others, anywhere near. Faces that share a vertex are not looked at.
+// Whether faces cross each other. Those that share an edge do not, they fold, see folds.h.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-inline CGAL::Bbox_3 bounding_box(const Remeshing_mesh& mesh, Remeshing_mesh::Index f)
+// `Surface` has face_record() and position().
+template <class Surface>
+CGAL::Bbox_3 bounding_box(const Surface& mesh, Corner_table::Index f)
 {
   const auto& v = mesh.face_record(f).vertex;
   const Vector3 &a = mesh.position(v[0]), &b = mesh.position(v[1]), &c = mesh.position(v[2]);
@@ -30,31 +32,98 @@ inline CGAL::Bbox_3 bounding_box(const Remeshing_mesh& mesh, Remeshing_mesh::Ind
           (std::max)({a.x, b.x, c.x}), (std::max)({a.y, b.y, c.y}), (std::max)({a.z, b.z, c.z})};
 }
 
-inline bool share_vertex(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, Remeshing_mesh::Index g)
+inline int number_of_shared_vertices(const Corner_table& mesh, Corner_table::Index f, Corner_table::Index g)
 {
   const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
-  return std::any_of(a, a + 3, [&](Remeshing_mesh::Index v) { return std::find(b, b + 3, v) != b + 3; });
+  return int(std::count_if(a, a + 3, [&](Corner_table::Index v) { return std::find(b, b + 3, v) != b + 3; }));
 }
 
-// A triangle without an area crosses nothing.
-inline bool cross_each_other(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, Remeshing_mesh::Index g)
+// Whether the corners of f that are none of g lie on one side of its plane, by more than rounding could feign.
+template <class Surface>
+bool lies_beside(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
+{
+  constexpr double SURE = 1e-12;
+  const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
+  const Vector3 normal = triangle_cross(mesh.position(b[0]), mesh.position(b[1]), mesh.position(b[2]));
+  const double squared_normal = squared_length(normal);
+  int above = 0, under = 0;
+  for (const Corner_table::Index v : a) {
+    if (std::find(b, b + 3, v) != b + 3) continue;
+    const Vector3 way = mesh.position(v) - mesh.position(b[0]);
+    const double height = dot(way, normal);
+    if (!(height * height > SURE * SURE * squared_normal * squared_length(way))) return false;
+    ++(height > 0 ? above : under);
+  }
+  return above == 0 || under == 0;
+}
+
+// A triangle without an area crosses nothing. Two that share a vertex cross where the edge of one that is opposite to it meets
+// the other one.
+template <class Surface>
+bool cross_each_other(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  const auto triangle = [&](Remeshing_mesh::Index t) {
-    const auto point = [&](Remeshing_mesh::Index v) {
-      const Vector3& p = mesh.position(v);
-      return Kernel::Point_3(p.x, p.y, p.z);
-    };
-    const auto& v = mesh.face_record(t).vertex;
-    return Kernel::Triangle_3(point(v[0]), point(v[1]), point(v[2]));
+  const int shared = number_of_shared_vertices(mesh, f, g);
+  if (shared > 1 || lies_beside(mesh, f, g) || lies_beside(mesh, g, f)) return false;
+  const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
+  const auto point = [&](Corner_table::Index v) {
+    const Vector3& p = mesh.position(v);
+    return Kernel::Point_3(p.x, p.y, p.z);
   };
-  const Kernel::Triangle_3 s = triangle(f), t = triangle(g);
-  return !s.is_degenerate() && !t.is_degenerate() && CGAL::do_intersect(s, t);
+  const Kernel::Triangle_3 s(point(a[0]), point(a[1]), point(a[2])), t(point(b[0]), point(b[1]), point(b[2]));
+  if (s.is_degenerate() || t.is_degenerate()) return false;
+  if (shared == 0) return CGAL::do_intersect(s, t);
+  const int i = int(std::find_first_of(a, a + 3, b, b + 3) - a), j = int(std::find(b, b + 3, a[i]) - b);
+  return CGAL::do_intersect(Kernel::Segment_3(s[i + 1], s[i + 2]), t) || CGAL::do_intersect(Kernel::Segment_3(t[j + 1], t[j + 2]), s);
 }
 
-// Whether one of `faces` crosses another face.
-inline bool are_crossed(const Remeshing_mesh& mesh, Face_grid& grid, const std::vector<Remeshing_mesh::Index>& faces,
-                        Visit_marks& marks)
+// The length of the segment in which two faces cross each other.
+inline double crossing_length(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, Remeshing_mesh::Index g)
+{
+  double result = 0;
+  Vector3 first;
+  bool is_first = true;
+  const auto add = [&](const Vector3& p) {
+    if (is_first) first = p;
+    is_first = false;
+    result = (std::max)(result, length(p - first));
+  };
+  // Where the edges of `s` go through `t`.
+  const auto add_points = [&](Remeshing_mesh::Index s, Remeshing_mesh::Index t) {
+    const auto &a = mesh.face_record(s).vertex, &b = mesh.face_record(t).vertex;
+    const Vector3 &x = mesh.position(b[0]), &y = mesh.position(b[1]), &z = mesh.position(b[2]), normal = triangle_cross(x, y, z);
+    for (int k = 0; k < 3; ++k) {
+      const Vector3 &p = mesh.position(a[k]), &q = mesh.position(a[(k + 1) % 3]);
+      const double above = dot(p - x, normal), under = dot(q - x, normal);
+      if (!(above * under <= 0) || above == under) continue;
+      const Vector3 r = p + (above / (above - under)) * (q - p);
+      if (dot(triangle_cross(r, x, y), normal) >= 0 && dot(triangle_cross(r, y, z), normal) >= 0 &&
+          dot(triangle_cross(r, z, x), normal) >= 0) add(r);
+    }
+  };
+  add_points(f, g);
+  add_points(g, f);
+  return result;
+}
+
+// The faces that may cross one of `faces`, and some others.
+inline std::vector<Remeshing_mesh::Index> faces_near(const Remeshing_mesh& mesh, Face_grid& grid,
+                                                     const std::vector<Remeshing_mesh::Index>& faces, Visit_marks& marks)
+{
+  CGAL::Bbox_3 all;
+  for (const Remeshing_mesh::Index f : faces) all += bounding_box(mesh, f);
+  std::vector<Remeshing_mesh::Index> result;
+  grid.for_each_near({all.xmin(), all.ymin(), all.zmin()}, {all.xmax(), all.ymax(), all.zmax()}, marks, [&](Remeshing_mesh::Index f) {
+    if (CGAL::do_overlap(bounding_box(mesh, f), all)) result.push_back(f);
+    return true;
+  });
+  return result;
+}
+
+// Calls `function(face, other)` for every one of `faces` that crosses one of `others`, until it returns false.
+template <class Function>
+void for_each_crossing(const Remeshing_mesh& mesh, const std::vector<Remeshing_mesh::Index>& faces,
+                       const std::vector<Remeshing_mesh::Index>& others, const Function& function)
 {
   using Index = Remeshing_mesh::Index;
   std::vector<CGAL::Bbox_3> boxes;
@@ -63,12 +132,22 @@ inline bool are_crossed(const Remeshing_mesh& mesh, Face_grid& grid, const std::
     boxes.push_back(bounding_box(mesh, f));
     all += boxes.back();
   }
-  bool result = false;
-  grid.for_each_near({all.xmin(), all.ymin(), all.zmin()}, {all.xmax(), all.ymax(), all.zmax()}, marks, [&](Index g) {
+  for (const Index g : others) {
     const CGAL::Bbox_3 b = bounding_box(mesh, g);
-    for (std::size_t i = 0; i < faces.size() && CGAL::do_overlap(b, all) && !result; ++i)
-      result = CGAL::do_overlap(b, boxes[i]) && !share_vertex(mesh, g, faces[i]) && cross_each_other(mesh, g, faces[i]);
-    return !result;
+    if (!CGAL::do_overlap(b, all)) continue;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      if (g != faces[i] && CGAL::do_overlap(b, boxes[i]) && cross_each_other(mesh, g, faces[i]) && !function(faces[i], g)) return;
+  }
+}
+
+// Whether one of `faces` crosses another face.
+inline bool are_crossed(const Remeshing_mesh& mesh, Face_grid& grid, const std::vector<Remeshing_mesh::Index>& faces,
+                        Visit_marks& marks)
+{
+  bool result = false;
+  for_each_crossing(mesh, faces, faces_near(mesh, grid, faces, marks), [&](Remeshing_mesh::Index, Remeshing_mesh::Index) {
+    result = true;
+    return false;
   });
   return result;
 }

@@ -162,10 +162,9 @@ private:
     return result;
   }
 
-  // Returns the distances afterwards.
-  Distances move_by_least_squares(Patch& patch)
+  // Starts from these distances, and returns those afterwards.
+  Distances move_by_least_squares(Patch& patch, Distances distances)
   {
-    Distances distances = measure(patch);
     for (int i = 0; i < ITERATIONS && distances.largest > GOOD * samples_.tolerance(); ++i) {
       for (std::size_t k = 0; k < patch.vertices.size(); ++k) {
         const Index v = patch.vertices[k];
@@ -269,7 +268,8 @@ private:
     const Distances before = measure(start);
     if (before.largest < samples_.tolerance()) return Outcome::mended;
     if (start.vertices.size() > LARGEST_PATCH) return Outcome::nothing;
-    snapshot_.take(mesh_, ball(mesh_, start.vertices, 1, marks_));
+    const std::vector<Index> around = ball(mesh_, start.vertices, 1, marks_);
+    before_.take(mesh_, around);
     double best_score = (1 - NOTICEABLE) * score(start, before);
     Trial best{Kind::move, -1};
     Outcome outcome = Outcome::nothing;
@@ -277,21 +277,23 @@ private:
       ++trials_;
       Patch patch = start;
       if (!apply(trial, spot, patch, false)) continue;
-      const Distances after = move_by_least_squares(patch);
+      const Distances after = move_by_least_squares(patch, trial.kind == Kind::move ? before : measure(patch));
       const double s = score(patch, after);
       const bool is_better = s < best_score && !are_crossed(mesh_, grid_, patch.faces, marks_);
       if (is_better) outcome = after.largest < ACCEPTED * samples_.tolerance() ? Outcome::mended : Outcome::bettered;
       if (outcome == Outcome::mended && (!context_.visitor.listens() || trial.kind != Kind::split)) return outcome;
-      snapshot_.restore(mesh_);
+      if (is_better && trial.kind != Kind::split) best_.take(mesh_, around);
+      before_.restore(mesh_);
       if (!is_better) continue;
       best = trial;
       best_score = s;
       if (outcome == Outcome::mended) break;
     }
     if (outcome == Outcome::nothing) return outcome;
+    if (best.kind != Kind::split) { best_.restore(mesh_); return outcome; }
     Patch patch = start;
     apply(best, spot, patch, true);
-    move_by_least_squares(patch);
+    move_by_least_squares(patch, measure(patch));
     return outcome;
   }
 
@@ -301,7 +303,7 @@ private:
   Face_grid grid_;
   Angle_bands bands_;
   Angle_descent descent_;
-  Mesh_snapshot snapshot_;
+  Mesh_snapshot before_, best_;          // a trial, and after the best one without a split
   Visit_marks marks_, vertices_;
   std::vector<int> slot_;                // by vertex: its number in the patch that is measured
   std::size_t most_trials_, trials_ = 0;

@@ -68,10 +68,11 @@ class Face_equations
 public:
   void add(const std::array<double, 3>& b, const Vector3& n, double weight, double r)
   {
-    const double outer[6] = {n.x * n.x, n.x * n.y, n.x * n.z, n.y * n.y, n.y * n.z, n.z * n.z};
+    const float x = float(n.x), y = float(n.y), z = float(n.z);
+    const float outer[6] = {x * x, x * y, x * z, y * y, y * z, z * z};
     for (int i = 0; i < 6; ++i) {
-      const double w = weight * b[PAIRS[i][0]] * b[PAIRS[i][1]];
-      for (int j = 0; j < 6; ++j) matrix_[i][j] += float(w * outer[j]);
+      const float w = float(weight * b[PAIRS[i][0]] * b[PAIRS[i][1]]);
+      for (int j = 0; j < 6; ++j) matrix_[i][j] += w * outer[j];
     }
     for (int i = 0; i < 3; ++i) {
       const double w = weight * r * b[i];
@@ -127,12 +128,12 @@ class Surface_fit
   using Barycentric = std::array<double, 3>;
 
   static constexpr double TANGENTIAL = 0.5, NORMAL = 0.01;
-  static constexpr int STEPS = 3;
+  static constexpr int STEPS = 2;
   // The longest displacement, in target lengths, and how often one that does harm is halved.
   static constexpr double LONGEST = 0.35;
   static constexpr int TRIALS = 4;
   // Where the surface has more than so many times the faces of the result, one sample stands for each.
-  static constexpr std::size_t MANY_FACES = 4;
+  static constexpr std::size_t MANY_FACES = 2;
   // Samples that are nearer to the surface than this many target lengths, on the average, say that it is flat there: then
   // vertices stay in its plane to the last bit.
   static constexpr double FLAT = 1e-7;

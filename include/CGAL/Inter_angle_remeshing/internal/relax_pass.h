@@ -103,7 +103,7 @@ private:
   void sweep(std::size_t begin, std::size_t end, unsigned number, const Projection& projector);
   bool turns_face(std::size_t i, const Vector3& before, const Vector3& after) const;
   bool turns_no_face(std::size_t i, const Vector3& q) const;
-  bool keeps_faces(std::size_t i, const Vector3& q) const;
+  bool keeps_faces(std::size_t i, const Vector3& q, bool is_safe) const;
   double smallest_angle(std::size_t i, const Vector3& p) const;
   void take_step(std::size_t i, const Vector3& step);
   void take_guarded_step(std::size_t i, const Vector3& step, const Projection& projector);
@@ -279,16 +279,16 @@ inline bool Relaxation::turns_no_face(std::size_t i, const Vector3& q) const
   });
 }
 
-// Whether none of the faces around vertex i, which is on a curve or beside one, turns when the vertex moves to q, nor
-// grows thin.
-inline bool Relaxation::keeps_faces(std::size_t i, const Vector3& q) const
+// Whether none of the faces around vertex i, which is on a curve or beside one, turns when the vertex moves to q, which a safe
+// step does not make them do, nor grows thin.
+inline bool Relaxation::keeps_faces(std::size_t i, const Vector3& q, bool is_safe) const
 {
   const Vector3& p = data_.position[i];
   double thinnest = THIN_SQUARED_SINE;
   const bool turns_none = data_.all_of_link(i, [&](Index u, Index v) {
     const Vector3 &a = data_.position[u], &b = data_.position[v];
     const Vector3 after = triangle_cross(q, a, b);
-    if (turns_face(i, triangle_cross(p, a, b), after)) return false;
+    if (!is_safe && turns_face(i, triangle_cross(p, a, b), after)) return false;
     const double x = squared_distance(q, a), y = squared_distance(a, b), z = squared_distance(b, q),
                  longest = (std::max)({x * y, y * z, z * x}), area = squared_length(after);
     if (area < thinnest * longest) thinnest = area / longest;
@@ -328,7 +328,8 @@ inline void Relaxation::take_guarded_step(std::size_t i, const Vector3& step, co
     Index hint = data_.hint[i];
     const Vector3 q = projector(data_.position[i] + factor * step, hint);
     if (!projector.is_compatible(hint, normal_[i])) continue;
-    if (!(data_.mobility[i] == Mobility::guarded ? keeps_faces(i, q) : turns_no_face(i, q))) continue;
+    const bool is_safe = squared_distance(q, data_.position[i]) <= safe_step_[i];
+    if (!(data_.mobility[i] == Mobility::guarded ? keeps_faces(i, q, is_safe) : is_safe || turns_no_face(i, q))) continue;
     data_.position[i] = q;
     data_.hint[i] = hint;
     return;
@@ -367,7 +368,7 @@ inline void Relaxation::slide(std::size_t i)
   double shift = (std::min)(LONGEST_SLIDE * high, (std::max)(LONGEST_SLIDE * low, wanted));
   for (int trial = 0; trial < STEP_TRIALS; ++trial, shift /= 2) {
     const Vector3 q = curves_.point(curve, t + shift);
-    if (!keeps_faces(i, q)) continue;
+    if (!keeps_faces(i, q, false)) continue;
     const double deviation = chord_deviation(i, shift, q);
     if (deviation > curve_tolerance_ * grading_.field_part(data_.order[i]) && deviation > chord_deviation(i, 0, p)) continue;
     data_.position[i] = q;

@@ -6,10 +6,13 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REPAIR_PASS_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Angle_descent.h>
+#include <CGAL/Inter_angle_remeshing/internal/Face_grid.h>
 #include <CGAL/Inter_angle_remeshing/internal/Mesh_snapshot.h>
+#include <CGAL/Inter_angle_remeshing/internal/Point_grid.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/angle_bands.h>
 #include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
 #include <CGAL/Inter_angle_remeshing/internal/flip_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/folds.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh_regions.h>
@@ -18,12 +21,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
 // Mends the faces whose angles no move of a vertex brings into the band, and folds: the worst one first, every flip, collapse
 // and split near it is tried, each followed by descents of the vertices around; the one that leaves least stays, all others
-// are undone.
+// are undone. So, at last, with the faces that cross others where the surface does not.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -42,6 +48,8 @@ class Repairer
   // The pass ends after so many trials for angles and as many for folds, and so many more of each for every bad face, but at most
   // one for so many faces: a trial takes as long as ten faces of the run.
   static constexpr std::size_t LEAST_TRIALS = 100, TRIALS_PER_BAD_FACE = 10, FACES_PER_TRIAL = 40;
+  // Where faces cross, so many times as many, for they are few, and hardly any finalists.
+  static constexpr std::size_t CROSSING_TRIALS = 2, CROSSING_FINALISTS = 2;
   // Operations at vertices with hundreds of edges would take too long to try.
   static constexpr std::size_t LARGEST_REGION = 100;
   // Squared lengths, in those of the target, up to which edges are collapsed and from which they are split here.
@@ -53,8 +61,18 @@ class Repairer
   // An operation stays if it takes away this part of what is bad around it.
   static constexpr double NOTICEABLE = 0.02;
   static constexpr double TOUCH = 0.05;      // degrees that every bad face counts more
+  // What two faces that cross each other count, and what the length of the segment in which they do, in target lengths. To part
+  // them edges may be split that are much shorter.
+  static constexpr double CROSSING = 100, CROSSING_LENGTH = 3000, SPLIT_AT_CROSSING = 0.1;
+  // Where the surface crosses itself within so many target lengths, faces may cross.
+  static constexpr double SAME_PLACE = 1.5;
+  // Edges are hardly longer than this, in target lengths.
+  static constexpr double LONGEST_EDGE = 1.5;
+  // What an operation near a face changes lies within so many rings of it.
+  static constexpr int REACH = 3;
 
-  enum class Kind { none, flip, collapse, split };
+  enum class Fault { angle, fold, crossing };
+  enum class Kind { none, flip, collapse, split, place };    // the last one puts a vertex onto the surface
   struct Operation
   {
     Kind kind = Kind::none;
@@ -71,21 +89,65 @@ public:
   // number of trials is that of both.
   std::size_t run()
   {
-    std::size_t operations = 0;
-    for (round_ = 0; round_ < MAXIMUM_ROUNDS; ++round_) {
+    return mend([&]() {
       std::vector<std::pair<double, Index>> bad = bad_faces();
+      std::sort(bad.begin(), bad.end());
+      std::vector<Index> result;
+      for (const auto& b : bad) result.push_back(b.second);
+      return result;
+    });
+  }
+
+  // The same for faces that cross others; at the end `crossing` is the number of those that still do.
+  template <class ConcurrencyTag>
+  std::size_t part_crossing_faces(std::size_t& crossing)
+  {
+    given_up_.clear();
+    fault_ = Fault::crossing;
+    most_trials_ = 0;
+    std::optional<Point_grid> places_of_surface;
+    const std::size_t operations = mend([&]() {
+      std::vector<Index> result = faces_of(crossing_faces<ConcurrencyTag>(mesh_));
+      crossing = result.size();
+      if (result.empty()) return result;
+      if (!places_of_surface) places_of_surface = places_where_surface_crosses<ConcurrencyTag>();
+      const auto is_inherited = [&](Index f) { return is_near(*places_of_surface, f); };
+      result.erase(std::remove_if(result.begin(), result.end(), is_inherited), result.end());
+      grid_.emplace(mesh_, LONGEST_EDGE * context_.largest_length());
+      return result;
+    });
+    if (round_ == MAXIMUM_ROUNDS) crossing = faces_of(crossing_faces<ConcurrencyTag>(mesh_)).size();
+    return operations;
+  }
+
+private:
+  static double squared(double x) { return x * x; }
+
+  static std::vector<Index> faces_of(const std::vector<std::pair<Index, Index>>& pairs)
+  {
+    std::vector<Index> result;
+    for (const auto& [f, g] : pairs) result.insert(result.end(), {f, g});
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  // Goes over the faces that `find()` names until nothing gets better.
+  template <class Find>
+  std::size_t mend(const Find& find)
+  {
+    std::size_t operations = 0;
+    bool is_better = true;
+    for (round_ = 0; round_ < MAXIMUM_ROUNDS && (is_better || round_ < 2); ++round_) {
+      const std::vector<Index> bad = find();
       if (bad.empty()) break;
       if (most_trials_ == 0)
         most_trials_ = LEAST_TRIALS + (std::min)(TRIALS_PER_BAD_FACE * bad.size(),
                                                  mesh_.number_of_live_faces() / FACES_PER_TRIAL);
-      std::sort(bad.begin(), bad.end());
       const char level = round_ == 0 ? 1 : 2;
-      bool is_better = false;
-      for (const auto& b : bad) {
-        const Index f = b.second;
-        if (!mesh_.is_face(f) || given_up(f) >= level || violation(f) <= 0) continue;
-        is_folded_ = fold_violation(context_, f) > 0;
-        if (trials_[is_folded_] > most_trials_) continue;
+      is_better = false;
+      for (const Index f : bad) {
+        if (!mesh_.is_face(f) || given_up(f) >= level || !is_bad(f) || trials() > most_trials()) continue;
         if (const Operation best = best_operation(f); best.kind != Kind::none) {
           commit(best);
           ++operations;
@@ -93,13 +155,38 @@ public:
         } else
           given_up(f) = level;
       }
-      if (!is_better && round_ > 0) break;
     }
     return operations;
   }
 
-private:
-  static double squared(double x) { return x * x; }
+  std::size_t& trials() { return trials_[std::size_t(fault_)]; }
+  std::size_t most_trials() const { return fault_ == Fault::crossing ? CROSSING_TRIALS * most_trials_ : most_trials_; }
+
+  // Whether face f has a fault, and of the kind that is looked for.
+  bool is_bad(Index f)
+  {
+    if (fault_ == Fault::crossing) return are_crossed(mesh_, *grid_, {f}, marks_);
+    fault_ = fold_violation(context_, f) > 0 ? Fault::fold : Fault::angle;
+    return violation(f) > 0;
+  }
+
+  // Corners of the faces of the surface that cross others, in units of the mesh.
+  template <class ConcurrencyTag>
+  Point_grid places_where_surface_crosses() const
+  {
+    Point_grid result(SAME_PLACE * context_.largest_length());
+    if (!context_.projector.has_faces()) return result;
+    const Reference_surface& surface = *context_.projector.surface;
+    for (const Index f : faces_of(crossing_faces<ConcurrencyTag>(surface)))
+      for (const Index v : surface.face_record(f).vertex) result.insert((1 / context_.projector.factor) * surface.position(v));
+    return result;
+  }
+
+  bool is_near(const Point_grid& places, Index f) const
+  {
+    const auto& v = mesh_.face_record(f).vertex;
+    return std::any_of(v, v + 3, [&](Index u) { return places.has_near(mesh_.position(u), SAME_PLACE * context_.length_at(u)); });
+  }
 
   // 1 if no operation next to face f helps, 2 if none near it does.
   char& given_up(Index f)
@@ -119,14 +206,32 @@ private:
 
   double violation(Index f) const { return internal::violation(context_, bands_, f); }
 
-  double score(const std::vector<Index>& faces) const
+  double score(const std::vector<Index>& faces)
   {
     double sum = 0;
+    if (fault_ == Fault::crossing) sum = crossing_score(faces);
     for (const Index f : faces) {
       if (!mesh_.is_face(f)) continue;
       const double v = violation(f);
       if (v > 0) sum += TOUCH + v + v * v;
     }
+    return sum;
+  }
+
+  double crossing_score(std::vector<Index> faces) const
+  {
+    const auto is_dead = [&](Index f) { return !mesh_.is_face(f); };
+    faces.erase(std::remove_if(faces.begin(), faces.end(), is_dead), faces.end());
+    std::vector<Index> others = near_;
+    others.insert(others.end(), faces.begin(), faces.end());
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    others.erase(std::remove_if(others.begin(), others.end(), is_dead), others.end());
+    double sum = 0;
+    for_each_crossing(mesh_, faces, others, [&](Index f, Index g) {
+      sum += CROSSING + CROSSING_LENGTH * crossing_length(mesh_, f, g) / context_.length_at(mesh_.face_record(f).vertex[0]);
+      return true;
+    });
     return sum;
   }
 
@@ -137,6 +242,9 @@ private:
     std::vector<Index> centers = ball(mesh_, {corner[0], corner[1], corner[2]}, 1, marks_);
     centers.resize((std::min)(centers.size(), round_ == 0 ? VERTICES_AT_FIRST : VERTICES_LATER));
     std::vector<Index> edges;
+    std::vector<Operation> result;
+    if (fault_ == Fault::crossing && context_.projector.has_faces())
+      for (const Index v : centers) if (mesh_.is_free(v)) result.push_back({Kind::place, mesh_.first(v)});
     for (const Index v : centers)
       mesh_.for_each_around(v, [&](Index h) {
         for (const Index k : {h, mesh_.prev(h)}) {
@@ -146,7 +254,7 @@ private:
       });
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    std::vector<Operation> result;
+    const double shortest = fault_ == Fault::crossing ? SPLIT_AT_CROSSING : SPLIT;
     const int gain = round_ == 0 ? GAIN_AT_FIRST : GAIN_LATER;
     for (const Index h : edges) {
       const double unit = squared(context_.length_at(mesh_.origin(h), mesh_.target(h)));
@@ -156,7 +264,7 @@ private:
         result.push_back({Kind::collapse, h});
         result.push_back({Kind::collapse, mesh_.opposite(h)});
       }
-      if (l > SPLIT * unit) result.push_back({Kind::split, h});
+      if (l > shortest * unit) result.push_back({Kind::split, h});
     }
     return result;
   }
@@ -166,12 +274,13 @@ private:
     const Index h = operation.halfedge;
     switch (operation.kind) {
     case Kind::flip:
-      return is_folded_ ? mesh_.is_flip_legal(h) && context_.permits_flip(h, false) : is_flip_allowed(context_, h, false);
+      return fault_ != Fault::angle ? mesh_.is_flip_legal(h) && context_.permits_flip(h, false) : is_flip_allowed(context_, h, false);
     case Kind::collapse:
-      if (is_folded_ && mesh_.is_free(mesh_.source(h))) return mesh_.is_collapse_legal(h) && context_.permits_collapse(h);
+      if (fault_ == Fault::fold && mesh_.is_free(mesh_.source(h))) return mesh_.is_collapse_legal(h) && context_.permits_collapse(h);
       return mesh_.valence(mesh_.source(h)) + mesh_.valence(mesh_.source(mesh_.opposite(h))) - 4 <= limits_.valence &&
              is_collapse_allowed(context_, h, limits_);
     case Kind::split: return mesh_.is_split_legal(h) && context_.permits_split(h);
+    case Kind::place: return true;
     default: return false;
     }
   }
@@ -186,6 +295,9 @@ private:
     } else if (operation.kind == Kind::collapse) {
       touched.erase(std::find(touched.begin(), touched.end(), mesh_.source(h)));
       if (is_announced) collapse(context_, h); else mesh_.collapse(h);
+    } else if (operation.kind == Kind::place) {
+      const Index v = mesh_.origin(h);
+      mesh_.position(v) = context_.projector(mesh_.position(v), mesh_.hint(v));
     } else {
       const Split_vertex made = is_announced ? split(context_, h) : split_edge(context_, h);
       project_split_vertices<CGAL::Sequential_tag>(context_, {made});
@@ -199,7 +311,7 @@ private:
   {
     const std::vector<Index> around = ball(mesh_, ends_and_apexes(mesh_, operation.halfedge), 1, marks_);
     if (around.size() > LARGEST_REGION) return 0;
-    ++trials_[is_folded_];
+    ++trials();
     snapshot_.take(mesh_, around);
     const double before = score(snapshot_.faces());
     const std::vector<Index> moving = ball(mesh_, apply(operation), 1, marks_);
@@ -212,11 +324,15 @@ private:
   // A few sweeps tell which operations are promising, many more which of these is the best.
   Operation best_operation(Index f)
   {
+    if (fault_ == Fault::crossing) {
+      const auto& corner = mesh_.face_record(f).vertex;
+      near_ = faces_near(mesh_, *grid_, faces_around(mesh_, ball(mesh_, {corner[0], corner[1], corner[2]}, REACH, marks_)), marks_);
+    }
     std::vector<std::pair<double, Operation>> promising;
     for (const Operation& operation : operations(f))
-      if (trials_[is_folded_] <= most_trials_ && is_allowed(operation))
+      if (trials() <= most_trials() && is_allowed(operation))
         promising.emplace_back(gain(operation, FIRST_SWEEPS), operation);
-    const std::size_t n = (std::min)(promising.size(), FINALISTS);
+    const std::size_t n = (std::min)(promising.size(), fault_ == Fault::crossing ? CROSSING_FINALISTS : FINALISTS);
     const auto is_better = [](const auto& a, const auto& b) { return a.first > b.first; };
     std::stable_sort(promising.begin(), promising.end(), is_better);
     promising.resize(n);
@@ -240,9 +356,11 @@ private:
   Angle_descent descent_;
   Collapse_limits limits_;
   Mesh_snapshot snapshot_;
+  std::optional<Face_grid> grid_;        // for crossings
+  std::vector<Index> near_;              // the faces that may cross those around the face at hand
   int round_ = 0;
-  bool is_folded_ = false;               // the face at hand
-  std::array<std::size_t, 2> trials_{};  // for angles, and for folds, which leave angles to mend
+  Fault fault_ = Fault::angle;           // of the face at hand
+  std::array<std::size_t, 3> trials_{};  // by fault; folds leave angles to mend
   std::size_t most_trials_ = 0;          // of each
   std::vector<char> given_up_;           // by face
   Visit_marks marks_;
