@@ -10,6 +10,9 @@
 #include <CGAL/Inter_angle_remeshing/internal/crossings.h>
 #include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
 
+#include <CGAL/Box_intersection_d/Box_with_handle_d.h>
+#include <CGAL/box_intersection_d.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -19,7 +22,8 @@
 #include <vector>
 
 // All pairs of faces that cross each other, by a grid of cells with the faces whose boxes meet them. Where the faces of a cell hang
-// together and look much the same way, they are one sheet, which does not cross itself; that is nearly everywhere.
+// together and look much the same way, they are one sheet, which does not cross itself; that is nearly everywhere. Where faces differ
+// too much in size for a grid, CGAL's intersection of boxes takes its place.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -41,6 +45,8 @@ class Crossing_finder
   static constexpr double SHEET_COSINE = 0.5;
   // More faces than these are no sheet, but the fan of a vertex or cells of one hash.
   static constexpr std::size_t LARGEST_SHEET = 64;
+  // Where a cell has more faces than these, their sizes differ too much for a grid.
+  static constexpr std::size_t MOST_IN_A_CELL = 512;
 
   struct Box
   {
@@ -59,9 +65,11 @@ public:
     measure();
     if (faces_.empty()) return result;
     fill_cells();
-    scan_into<ConcurrencyTag>(result, start_.size() - 1, [&](std::size_t cell, std::vector<std::pair<Index, Index>>& found) {
-      find_in_cell(entries_.data() + start_[cell], start_[cell + 1] - start_[cell], found);
-    });
+    if (has_crowded_cell()) find_by_boxes(result);
+    else
+      scan_into<ConcurrencyTag>(result, start_.size() - 1, [&](std::size_t cell, std::vector<std::pair<Index, Index>>& found) {
+        find_in_cell(entries_.data() + start_[cell], start_[cell + 1] - start_[cell], found);
+      });
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
@@ -141,6 +149,24 @@ private:
     for (Grid_cell c = low; c[0] <= high[0]; ++c[0])
       for (c[1] = low[1]; c[1] <= high[1]; ++c[1])
         for (c[2] = low[2]; c[2] <= high[2]; ++c[2]) function(hash_of_cell(c) & (start_.size() - 2));
+  }
+
+  bool has_crowded_cell() const
+  {
+    return std::adjacent_find(start_.begin(), start_.end(), [](std::uint32_t a, std::uint32_t b) {
+      return b - a > MOST_IN_A_CELL; }) != start_.end();
+  }
+
+  // Slower, but for faces of any sizes.
+  void find_by_boxes(std::vector<std::pair<Index, Index>>& found) const
+  {
+    using Named_box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Index*, CGAL::Box_intersection_d::ID_FROM_HANDLE>;
+    std::vector<Named_box> boxes;
+    for (const Index& f : faces_) boxes.emplace_back(bounding_box(mesh_, f), &f);
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Named_box& a, const Named_box& b) {
+      const Index f = *a.handle(), g = *b.handle();
+      if (cross_each_other(mesh_, f, g)) found.emplace_back((std::min)(f, g), (std::max)(f, g));
+    });
   }
 
   void find_in_cell(const Index* entry, std::size_t n, std::vector<std::pair<Index, Index>>& found) const
