@@ -9,6 +9,8 @@
 #include "invariants.h"
 
 #include <CGAL/Inter_angle_remeshing/Projection/Closest_point_projector.h>
+#include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
+#include <CGAL/Inter_angle_remeshing/internal/whole_surface.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 #include <CGAL/Inter_angle_remeshing/surface_distance.h>
 #include <CGAL/Inter_angle_remeshing/triangle_quality.h>
@@ -394,14 +396,34 @@ void crossing_faces_are_parted()
     crossing += number_of_crossing_faces(without);
   }
   CHECK(meshes::is_small_run() || crossing > 0);
-  for(const char* name : {"camel", "cow", "mannequin-devil"})
+  for(const auto& [name, factor] : {std::pair<const char*, double>{"camel", 1}, {"cow", 1}, {"mannequin-devil", 1}, {"helmet", 1},
+                                    {"helmet", 2}, {"helmet", 3}})
   {
     Mesh m = mesh_of_cgal(name);
     if(meshes::is_small_run() && m.number_of_faces() > SMALL)
       continue;
-    const auto report = IAR::isotropic_remeshing(mean_edge_length(m), m);
+    const bool crosses_itself = does_self_intersect(m);
+    const auto report = IAR::isotropic_remeshing(factor * mean_edge_length(m), m);
     const std::size_t counted = number_of_crossing_faces(m);
-    CHECK_MESSAGE(counted > 0 && report.crossing_faces == counted, name << ": " << report.crossing_faces << " of " << counted);
+    CHECK_MESSAGE(report.crossing_faces == counted, name << " at " << factor << ": " << report.crossing_faces << " of " << counted);
+    CHECK_MESSAGE(!crosses_itself || counted > 0, name);
+  }
+}
+
+// All pairs of crossing faces are found, where these are of one size and where a few are a thousand times as large.
+void crossing_faces_of_any_size_are_found()
+{
+  const meshes::Soup ball = meshes::sphere(4), two = ball.joined_with(ball.moved(.713, .387, .291));
+  const meshes::Soup sheets{{{-1000, -1000, .1}, {1000, -1000, .2}, {0, 1000, .3}, {-1000, 3, -1000}, {1000, 2, -1000}, {0, -1, 1000}},
+                            {{0, 1, 2}, {3, 4, 5}}};
+  for(const meshes::Soup& soup : {two, two.joined_with(sheets)})
+  {
+    const Mesh m = meshes::to_mesh<Mesh>(soup);
+    std::vector<std::pair<Face, Face>> expected;
+    PMP::self_intersections(m, std::back_inserter(expected));
+    const auto copy = IAR::internal::copy_whole_surface(m, get(CGAL::vertex_point, m), "test");
+    const auto found = IAR::internal::crossing_faces<CGAL::Sequential_tag>(copy.mesh);
+    CHECK_MESSAGE(!found.empty() && found.size() == expected.size(), found.size() << " of " << expected.size());
   }
 }
 
@@ -955,6 +977,7 @@ int main(int argc, char* argv[])
   the_repair_reaches_the_band();
   large_distances_are_lowered();
   crossing_faces_are_parted();
+  crossing_faces_of_any_size_are_found();
   settled_meshes_end_early();
   angles_are_better_than_those_of_polygon_mesh_processing();
   random_meshes_keep_what_they_must();

@@ -16,14 +16,17 @@ namespace Inter_angle_remeshing {
 namespace internal {
 
 // Finds the faces of the mesh that are near, over any sheet: those of the vertices that are, where these lay when it was asked
-// first. Faces with edges that are longer than `longest_edge` may be overlooked; no vertex moves nearly as far later.
+// first. Faces with edges that are longer than those of a remeshed mesh may be overlooked; no vertex moves nearly as far later.
 class Face_grid
 {
+  // Edges are hardly longer than this, in target lengths.
+  static constexpr double LONGEST_EDGE = 1.5;
+
 public:
   using Index = Remeshing_mesh::Index;
 
-  Face_grid(const Remeshing_mesh& mesh, double longest_edge)
-    : mesh_(mesh), longest_edge_(longest_edge), vertices_(longest_edge)
+  Face_grid(const Remeshing_mesh& mesh, double target_length)
+    : mesh_(mesh), longest_edge_(LONGEST_EDGE * target_length), vertices_(longest_edge_)
   {}
 
   // Calls `function(face)` for the faces that may meet the box, and some others, until it returns false.

@@ -55,8 +55,6 @@ class Distance_reducer
   static constexpr std::size_t LEAST_TRIALS = 20, FACES_PER_TRIAL = 300;
   // Larger patches are those of vertices with hundreds of edges.
   static constexpr std::size_t LARGEST_PATCH = 200;
-  // Edges are hardly longer than this, in target lengths.
-  static constexpr double LONGEST_EDGE = 1.5;
   // Of the samples of a patch so many count, the farthest ones.
   static constexpr std::size_t MOST_SAMPLES = 120;
 
@@ -72,7 +70,7 @@ class Distance_reducer
 
 public:
   explicit Distance_reducer(Remeshing_context& context)
-    : context_(context), mesh_(context.mesh), samples_(context), grid_(context.mesh, LONGEST_EDGE * context.largest_length()),
+    : context_(context), mesh_(context.mesh), samples_(context), grid_(context.mesh, context.largest_length()),
       bands_(context.recipe), descent_(context),
       most_trials_(LEAST_TRIALS + mesh_.number_of_live_faces() / FACES_PER_TRIAL)
   {}

@@ -66,8 +66,6 @@ class Repairer
   static constexpr double CROSSING = 100, CROSSING_LENGTH = 3000, SPLIT_AT_CROSSING = 0.1;
   // Where the surface crosses itself within so many target lengths, faces may cross.
   static constexpr double SAME_PLACE = 1.5;
-  // Edges are hardly longer than this, in target lengths.
-  static constexpr double LONGEST_EDGE = 1.5;
   // What an operation near a face changes lies within so many rings of it.
   static constexpr int REACH = 3;
 
@@ -113,7 +111,7 @@ public:
       if (!places_of_surface) places_of_surface = places_where_surface_crosses<ConcurrencyTag>();
       const auto is_inherited = [&](Index f) { return is_near(*places_of_surface, f); };
       result.erase(std::remove_if(result.begin(), result.end(), is_inherited), result.end());
-      grid_.emplace(mesh_, LONGEST_EDGE * context_.largest_length());
+      grid_.emplace(mesh_, context_.largest_length());
       return result;
     });
     if (round_ == MAXIMUM_ROUNDS) crossing = faces_of(crossing_faces<ConcurrencyTag>(mesh_)).size();
