@@ -82,9 +82,9 @@ struct Remeshing_report
   std::size_t input_faces = 0;
   /// the number of faces in the range afterwards
   std::size_t output_faces = 0;
-  /// the number of edges split
+  /// the number of edges split; those of the repair count in `repairs`, those that lower distances in none
   std::size_t splits = 0;
-  /// the number of edges collapsed
+  /// the number of edges collapsed, without those of the repair
   std::size_t collapses = 0;
   /// the number of edges flipped, those of glides left out
   std::size_t flips = 0;

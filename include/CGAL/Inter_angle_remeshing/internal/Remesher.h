@@ -313,7 +313,7 @@ private:
     if (goes_on() && stages_ > 0) mend_spots();
     if (goes_on()) fit();
     if (goes_on()) polish();
-    Repairer repairer(context_);
+    Repairer repairer(context_, report_.input_faces);
     repair(repairer);
     if (goes_on() && lower_distances() > 0) repair(repairer);
     part_crossing_faces(repairer);

@@ -41,6 +41,8 @@ class Distance_reducer
   static constexpr double PATCH_RADIUS = 1.7, RING = 0.5;
   // A spot that a patch of one ring does not mend is tried again with a larger one, and with splits.
   static constexpr int MOST_RINGS = 2;
+  // What this has bettered is tried again, at its then farthest point, so often in all.
+  static constexpr int ROUNDS = 3;
   // Least squares end with the first part of the tolerance, and no more is tried with the second one.
   static constexpr double GOOD = Distance_samples::GOOD, ACCEPTED = 0.95;
   // Least squares: their number, damping, regularisation, and the weight of a sample that is right: the others count by the
@@ -79,11 +81,18 @@ public:
   std::size_t run()
   {
     std::size_t changes = 0;
-    for (const Spot& spot : Far_spot_finder(context_, samples_, grid_).find(most_trials_)) {
-      Outcome outcome = Outcome::nothing;
-      for (int rings = 1; rings <= MOST_RINGS && outcome != Outcome::mended && trials_ < most_trials_; ++rings)
-        outcome = (std::max)(outcome, mend(spot, rings));
-      changes += outcome != Outcome::nothing;
+    std::vector<Spot> spots = Far_spot_finder(context_, samples_, grid_).find(most_trials_);
+    for (int round = 0; round < ROUNDS && !spots.empty(); ++round) {
+      std::vector<Spot> left;
+      for (const Spot& spot : spots) {
+        Outcome outcome = Outcome::nothing;
+        Spot rest = spot;
+        for (int rings = 1; rings <= MOST_RINGS && outcome != Outcome::mended && trials_ < most_trials_; ++rings)
+          outcome = (std::max)(outcome, mend(spot, rings, rest));
+        changes += round == 0 && outcome != Outcome::nothing;
+        if (outcome == Outcome::bettered) left.push_back(rest);
+      }
+      spots = std::move(left);
     }
     return changes;
   }
@@ -116,6 +125,7 @@ private:
   struct Distances
   {
     double largest = 0;
+    Sample farthest{};
     double excess = 0;                   // sum of the fourth powers of what exceeds half of the tolerance
   };
 
@@ -127,13 +137,16 @@ private:
     if (slot_.size() < mesh_.number_of_vertex_slots()) slot_.resize(mesh_.number_of_vertex_slots(), -1);
     for (std::size_t i = 0; i < patch.vertices.size(); ++i) slot_[patch.vertices[i]] = int(i);
     Distances result;
-    const auto pull = [&](Index f, const auto& b, const Vector3& way, double d) {
-      result.largest = (std::max)(result.largest, d);
+    const auto pull = [&](const Sample& s, const auto& b, const Vector3& way, double d) {
+      if (d > result.largest) {
+        result.largest = d;
+        result.farthest = s;
+      }
       const double e = (std::max)(0., d - samples_.tolerance() / 2);
       result.excess += e * e * e * e;
       const double part = d / samples_.tolerance(), weight = part * part * part * part + LEAST_WEIGHT;
       for (int k = 0; k < 3; ++k) {
-        const int i = slot_[mesh_.face_record(f).vertex[k]];
+        const int i = slot_[mesh_.face_record(s.face).vertex[k]];
         if (i < 0) continue;
         patch.pull[i] += (weight * b[k]) * way;
         patch.weight[i] += weight * b[k] * b[k];
@@ -143,7 +156,7 @@ private:
       const Point_on_triangle c = walk_to_closest_point(mesh_, s.point, s.face);
       const double d = length(s.point - c.point);
       const auto& v = mesh_.face_record(s.face).vertex;
-      pull(s.face, barycentric(c, mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])), s.point - c.point, d);
+      pull(s, barycentric(c, mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])), s.point - c.point, d);
     }
     vertices_.start(mesh_.number_of_vertex_slots());
     for (std::size_t k = 0; k < patch.faces.size(); ++k)
@@ -154,7 +167,7 @@ private:
         const Vector3 y = point_on_face(mesh_, f, PLACES_ON_FACE[i]);
         Index& g = patch.surface_faces[k][i];
         const Vector3 way = (g < 0 ? samples_.nearest_on_surface(f, y, g) : context_.projector(y, g)) - y;
-        pull(f, PLACES_ON_FACE[i], way, length(way));
+        pull(Sample{y + way, g, f}, PLACES_ON_FACE[i], way, length(way));
       }
     for (const Index v : patch.vertices) slot_[v] = -1;
     return result;
@@ -257,7 +270,8 @@ private:
     return result;
   }
 
-  Outcome mend(const Spot& found, int rings)
+  // Where something is changed, `rest` becomes what is farthest away afterwards.
+  Outcome mend(const Spot& found, int rings, Spot& rest)
   {
     const Sample& spot = found.sample;
     if (!mesh_.is_face(spot.face)) return Outcome::mended;
@@ -278,6 +292,7 @@ private:
       const Distances after = move_by_least_squares(patch, trial.kind == Kind::move ? before : measure(patch));
       const double s = score(patch, after);
       const bool is_better = s < best_score && !are_crossed(mesh_, grid_, patch.faces, marks_);
+      if (is_better) rest = {after.largest, found.length, after.farthest, {}};
       if (is_better) outcome = after.largest < ACCEPTED * samples_.tolerance() ? Outcome::mended : Outcome::bettered;
       if (outcome == Outcome::mended && (!context_.visitor.listens() || trial.kind != Kind::split)) return outcome;
       if (is_better && trial.kind != Kind::split) best_.take(mesh_, around);

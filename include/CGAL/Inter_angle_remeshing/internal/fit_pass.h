@@ -127,7 +127,7 @@ class Surface_fit
   using Index = Remeshing_mesh::Index;
   using Barycentric = std::array<double, 3>;
 
-  static constexpr double TANGENTIAL = 0.5, NORMAL = 0.01;
+  static constexpr double TANGENTIAL = 0.3, NORMAL = 0.01;
   static constexpr int STEPS = 2;
   // The longest displacement, in target lengths, and how often one that does harm is halved.
   static constexpr double LONGEST = 0.35;

@@ -45,7 +45,7 @@ class Repairer
   static constexpr int FIRST_SWEEPS = 2, SWEEPS = 8;
   static constexpr std::size_t FINALISTS = 5;
   // The pass ends after so many trials for angles and as many for folds, and so many more of each for every bad face, but at most
-  // one for so many faces: a trial takes as long as ten faces of the run.
+  // one for so many faces of the input or of the mesh, what is more: a trial takes as long as ten faces of the run.
   static constexpr std::size_t LEAST_TRIALS = 100, TRIALS_PER_BAD_FACE = 10, FACES_PER_TRIAL = 40;
   // Where faces cross, so many times as many, for they are few, and hardly any finalists.
   static constexpr std::size_t CROSSING_TRIALS = 2, CROSSING_FINALISTS = 2;
@@ -77,8 +77,8 @@ class Repairer
   };
 
 public:
-  explicit Repairer(Remeshing_context& context)
-    : context_(context), mesh_(context.mesh), bands_(context.recipe), descent_(context),
+  Repairer(Remeshing_context& context, std::size_t input_faces)
+    : context_(context), mesh_(context.mesh), input_faces_(input_faces), bands_(context.recipe), descent_(context),
       limits_{LONGEST * squared(context.target_length), squared(TOLERANCE * context.target_length), MAXIMUM_MERGED_VALENCE}
   {}
 
@@ -140,7 +140,7 @@ private:
       if (bad.empty()) break;
       if (most_trials_ == 0)
         most_trials_ = LEAST_TRIALS + (std::min)(TRIALS_PER_BAD_FACE * bad.size(),
-                                                 mesh_.number_of_live_faces() / FACES_PER_TRIAL);
+                                                 (std::max)(input_faces_, mesh_.number_of_live_faces()) / FACES_PER_TRIAL);
       const char level = round_ == 0 ? 1 : 2;
       is_better = false;
       for (const Index f : bad) {
@@ -349,6 +349,7 @@ private:
 
   Remeshing_context& context_;
   Remeshing_mesh& mesh_;
+  std::size_t input_faces_;
   Angle_bands bands_;
   Angle_descent descent_;
   Collapse_limits limits_;
