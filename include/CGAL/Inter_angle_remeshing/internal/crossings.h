@@ -57,6 +57,27 @@ bool lies_beside(const Surface& mesh, Corner_table::Index f, Corner_table::Index
   return above == 0 || under == 0;
 }
 
+// Whether a plane across the way from the centre of g to that of f parts them, by more than rounding could feign: the one through
+// the vertex that they share, or else the one half way. Faces in one plane, beside which none lies, are told apart like that.
+template <class Surface>
+bool lie_apart(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
+{
+  constexpr double SURE = 1e-12;
+  const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
+  const auto centre = [&](const Corner_table::Index* v) {
+    return (1. / 3) * (mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2])); };
+  const Vector3 from = centre(b), to = centre(a), across = to - from;
+  const Corner_table::Index* shared = std::find_first_of(a, a + 3, b, b + 3);
+  const Vector3 middle = shared != a + 3 ? mesh.position(*shared) : 0.5 * (from + to);
+  const auto is_beyond = [&](Corner_table::Index v, double side) {
+    const Vector3 way = mesh.position(v) - middle;
+    const double height = side * dot(way, across);
+    return height > 0 && height * height > SURE * SURE * squared_length(across) * squared_length(way);
+  };
+  return std::all_of(a, a + 3, [&](Corner_table::Index v) { return std::find(b, b + 3, v) != b + 3 || is_beyond(v, 1); }) &&
+         std::all_of(b, b + 3, [&](Corner_table::Index v) { return std::find(a, a + 3, v) != a + 3 || is_beyond(v, -1); });
+}
+
 // A triangle without an area crosses nothing. Two that share a vertex cross where the edge of one that is opposite to it meets
 // the other one.
 template <class Surface>
@@ -64,7 +85,7 @@ bool cross_each_other(const Surface& mesh, Corner_table::Index f, Corner_table::
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   const int shared = number_of_shared_vertices(mesh, f, g);
-  if (shared > 1 || lies_beside(mesh, f, g) || lies_beside(mesh, g, f)) return false;
+  if (shared > 1 || lies_beside(mesh, f, g) || lies_beside(mesh, g, f) || lie_apart(mesh, f, g)) return false;
   const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
   const auto point = [&](Corner_table::Index v) {
     const Vector3& p = mesh.position(v);

@@ -39,10 +39,9 @@ class Distance_reducer
 
   // The surface is sampled around a spot within this many target lengths, and with every further ring so many more.
   static constexpr double PATCH_RADIUS = 1.7, RING = 0.5;
-  // A spot that a patch of one ring does not mend is tried again with a larger one, and with splits.
+  // A spot that a patch of one ring does not mend is tried again with a larger one, and with splits; if that betters it, once more
+  // with one ring where it is farthest away then.
   static constexpr int MOST_RINGS = 2;
-  // What this has bettered is tried again, at its then farthest point, so often in all.
-  static constexpr int ROUNDS = 3;
   // Least squares end with the first part of the tolerance, and no more is tried with the second one.
   static constexpr double GOOD = Distance_samples::GOOD, ACCEPTED = 0.95;
   // Least squares: their number, damping, regularisation, and the weight of a sample that is right: the others count by the
@@ -81,18 +80,18 @@ public:
   std::size_t run()
   {
     std::size_t changes = 0;
-    std::vector<Spot> spots = Far_spot_finder(context_, samples_, grid_).find(most_trials_);
-    for (int round = 0; round < ROUNDS && !spots.empty(); ++round) {
-      std::vector<Spot> left;
-      for (const Spot& spot : spots) {
-        Outcome outcome = Outcome::nothing;
-        Spot rest = spot;
-        for (int rings = 1; rings <= MOST_RINGS && outcome != Outcome::mended && trials_ < most_trials_; ++rings)
-          outcome = (std::max)(outcome, mend(spot, rings, rest));
-        changes += round == 0 && outcome != Outcome::nothing;
-        if (outcome == Outcome::bettered) left.push_back(rest);
-      }
-      spots = std::move(left);
+    std::vector<Spot> bettered;
+    for (const Spot& spot : Far_spot_finder(context_, samples_, grid_).find(most_trials_)) {
+      Outcome outcome = Outcome::nothing;
+      Spot rest = spot;
+      for (int rings = 1; rings <= MOST_RINGS && outcome != Outcome::mended && trials_ < most_trials_; ++rings)
+        outcome = (std::max)(outcome, mend(spot, rings, rest));
+      changes += outcome != Outcome::nothing;
+      if (outcome == Outcome::bettered) bettered.push_back(rest);
+    }
+    for (const Spot& spot : bettered) {
+      Spot rest = spot;
+      if (trials_ < most_trials_) mend(spot, 1, rest);
     }
     return changes;
   }
