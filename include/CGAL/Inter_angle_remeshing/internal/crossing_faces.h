@@ -45,8 +45,9 @@ class Crossing_finder
   static constexpr double SHEET_COSINE = 0.5;
   // More faces than these are no sheet, but the fan of a vertex or cells of one hash.
   static constexpr std::size_t LARGEST_SHEET = 64;
-  // Where a cell has more faces than these, their sizes differ too much for a grid.
-  static constexpr std::size_t MOST_IN_A_CELL = 512;
+  // Where larger cells have more pairs of faces than so many for each face of the mesh, the sizes differ too much for a grid: to look
+  // for a face among the boxes takes as long as to compare so many.
+  static constexpr double MOST_PAIRS = 200;
 
   struct Box
   {
@@ -65,7 +66,7 @@ public:
     measure();
     if (faces_.empty()) return result;
     fill_cells();
-    if (has_crowded_cell()) find_by_boxes(result);
+    if (are_cells_crowded()) find_by_boxes(result);
     else
       scan_into<ConcurrencyTag>(result, start_.size() - 1, [&](std::size_t cell, std::vector<std::pair<Index, Index>>& found) {
         find_in_cell(entries_.data() + start_[cell], start_[cell + 1] - start_[cell], found);
@@ -151,10 +152,12 @@ private:
         for (c[2] = low[2]; c[2] <= high[2]; ++c[2]) function(hash_of_cell(c) & (start_.size() - 2));
   }
 
-  bool has_crowded_cell() const
+  bool are_cells_crowded() const
   {
-    return std::adjacent_find(start_.begin(), start_.end(), [](std::uint32_t a, std::uint32_t b) {
-      return b - a > MOST_IN_A_CELL; }) != start_.end();
+    double pairs = 0;
+    for (std::size_t c = 0; c + 1 < start_.size(); ++c)
+      if (const double n = start_[c + 1] - start_[c]; n > LARGEST_SHEET) pairs += n * n / 2;
+    return pairs > MOST_PAIRS * double(faces_.size());
   }
 
   // Slower, but for faces of any sizes.
