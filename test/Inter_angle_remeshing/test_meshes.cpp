@@ -117,6 +117,11 @@ const Expectation EXPECTATIONS[] = {
   {"hand",                 1,  EMBEDDED, 17, 104,  55.3},
   {"retinal",              .5, BOTH,     42,  88,   57.0},
   {"bones",                1,  NOTHING,  27, 91,   53.7},  // 26 components that intersect each other
+  // closed and smooth, with a sixty-fourth of the faces
+  {"homer",                8,  EMBEDDED, 37,  90,   48.8},
+  {"bear",                 8,  EMBEDDED, 39,  90,   52.2},
+  {"bunny00",              8,  EMBEDDED, 39,  90,   54.9},
+  {"armadillo",            8,  NOTHING,  39,  90,   51.3},  // crosses itself at two of the nine lengths
   // CAD
   {"cube-meshed",          1,  BOTH,     24, 109,  53.4},
   {"fandisk",              2,  BOTH,     17, 111,  53.7},
@@ -410,13 +415,16 @@ void crossing_faces_are_parted()
   }
 }
 
-// All pairs of crossing faces are found, where these are of one size and where a few are a thousand times as large.
-void crossing_faces_of_any_size_are_found()
+// All pairs of crossing faces are found, where these are of one size, where a few are a thousand times as large, and where all lie in
+// one plane, beside each other, touching, or overlapping.
+void all_crossing_faces_are_found()
 {
   const meshes::Soup ball = meshes::sphere(4), two = ball.joined_with(ball.moved(.713, .387, .291));
   const meshes::Soup sheets{{{-1000, -1000, .1}, {1000, -1000, .2}, {0, 1000, .3}, {-1000, 3, -1000}, {1000, 2, -1000}, {0, -1, 1000}},
                             {{0, 1, 2}, {3, 4, 5}}};
-  for(const meshes::Soup& soup : {two, two.joined_with(sheets)})
+  const meshes::Soup flat = meshes::square(8), touching = flat.joined_with(flat.moved(1, .25, 0)),
+                     overlapping = flat.joined_with(flat.moved(.3125, .40625, 0));
+  for(const meshes::Soup& soup : {two, two.joined_with(sheets), touching, overlapping})
   {
     const Mesh m = meshes::to_mesh<Mesh>(soup);
     std::vector<std::pair<Face, Face>> expected;
@@ -982,7 +990,7 @@ int main(int argc, char* argv[])
   the_repair_reaches_the_band();
   large_distances_are_lowered();
   crossing_faces_are_parted();
-  crossing_faces_of_any_size_are_found();
+  all_crossing_faces_are_found();
   settled_meshes_end_early();
   angles_are_better_than_those_of_polygon_mesh_processing();
   random_meshes_keep_what_they_must();
