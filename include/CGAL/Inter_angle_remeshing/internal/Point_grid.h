@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-// Points in the cells of a grid, for queries about what is near by.
+// Points in the cells of a grid, for queries about what is near by; a Kd_tree would have to be built anew for points that come later.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {

@@ -359,17 +359,18 @@ private:
       run_pass(Pass::polish, moves, [&]() { return polish_pass(context_); });
   }
 
+  bool repairs() const { return goes_on() && recipe_.repair && recipe_.sweeps > 0 && context_.target_length > 0; }
+
   void repair(Repairer& repairer)
   {
-    if (goes_on() && recipe_.repair && recipe_.sweeps > 0 && context_.target_length > 0)
+    if (repairs())
       run_pass(Pass::repair, report_.repairs, [&]() { return repairer.run(); });
   }
 
   // Chords much shorter than the surface's own do not lead through another sheet.
   void part_crossing_faces(Repairer& repairer)
   {
-    if (goes_on() && recipe_.repair && recipe_.sweeps > 0 && context_.target_length > 0 &&
-        !(context_.projector.has_faces() && is_finer_than_surface(context_, context_.target_length)))
+    if (repairs() && !(context_.projector.has_faces() && is_finer_than_surface(context_, context_.target_length)))
       run_pass(Pass::repair, report_.repairs, [&]() {
         return repairer.part_crossing_faces<ConcurrencyTag>(report_.crossing_faces); });
   }

@@ -35,7 +35,7 @@ class Crossing_finder
 {
   using Index = Corner_table::Index;
 
-  // The size of a cell, in mean extents of the boxes of faces.
+  // The size of a cell, in mean extents of the boxes of faces: from 2.2 to 3.2 the search takes as long, with less longer.
   static constexpr double CELL = 2.4;
   // It is not less than this; the extent of the mesh is about 1.
   static constexpr double SMALLEST_CELL = 1e-8;

@@ -22,6 +22,10 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
+// A point lies on a side of a plane for sure where its height is more than this part of its distance from a point of the plane: more
+// than rounding could feign.
+constexpr double SURE_HEIGHT = 1e-12;
+
 // `Surface` has face_record() and position().
 template <class Surface>
 CGAL::Bbox_3 bounding_box(const Surface& mesh, Corner_table::Index f)
@@ -38,11 +42,10 @@ inline int number_of_shared_vertices(const Corner_table& mesh, Corner_table::Ind
   return int(std::count_if(a, a + 3, [&](Corner_table::Index v) { return std::find(b, b + 3, v) != b + 3; }));
 }
 
-// Whether the corners of f that are none of g lie on one side of its plane, by more than rounding could feign.
+// Whether the corners of f that are none of g lie on one side of its plane for sure.
 template <class Surface>
 bool lies_beside(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
 {
-  constexpr double SURE = 1e-12;
   const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
   const Vector3 normal = triangle_cross(mesh.position(b[0]), mesh.position(b[1]), mesh.position(b[2]));
   const double squared_normal = squared_length(normal);
@@ -51,18 +54,17 @@ bool lies_beside(const Surface& mesh, Corner_table::Index f, Corner_table::Index
     if (std::find(b, b + 3, v) != b + 3) continue;
     const Vector3 way = mesh.position(v) - mesh.position(b[0]);
     const double height = dot(way, normal);
-    if (!(height * height > SURE * SURE * squared_normal * squared_length(way))) return false;
+    if (!(height * height > SURE_HEIGHT * SURE_HEIGHT * squared_normal * squared_length(way))) return false;
     ++(height > 0 ? above : under);
   }
   return above == 0 || under == 0;
 }
 
-// Whether a plane across the way from the centre of g to that of f parts them, by more than rounding could feign: the one through
-// the vertex that they share, or else the one half way. Faces in one plane, beside which none lies, are told apart like that.
+// Whether a plane across the way from the centre of g to that of f parts them for sure: the one through the vertex that they share, or
+// else the one half way. Faces in one plane, beside which none lies, are told apart like that.
 template <class Surface>
 bool lie_apart(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
 {
-  constexpr double SURE = 1e-12;
   const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
   const auto centre = [&](const Corner_table::Index* v) {
     return (1. / 3) * (mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2])); };
@@ -72,7 +74,7 @@ bool lie_apart(const Surface& mesh, Corner_table::Index f, Corner_table::Index g
   const auto is_beyond = [&](Corner_table::Index v, double side) {
     const Vector3 way = mesh.position(v) - middle;
     const double height = side * dot(way, across);
-    return height > 0 && height * height > SURE * SURE * squared_length(across) * squared_length(way);
+    return height > 0 && height * height > SURE_HEIGHT * SURE_HEIGHT * squared_length(across) * squared_length(way);
   };
   return std::all_of(a, a + 3, [&](Corner_table::Index v) { return std::find(b, b + 3, v) != b + 3 || is_beyond(v, 1); }) &&
          std::all_of(b, b + 3, [&](Corner_table::Index v) { return std::find(a, a + 3, v) != a + 3 || is_beyond(v, -1); });
