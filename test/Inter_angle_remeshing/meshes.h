@@ -210,6 +210,33 @@ inline Soup torus(std::size_t along, std::size_t around, double r)
   return soup;
 }
 
+// Radii and heights turned around the z axis in n steps, the outer side to the right of their order: faces as long as the profile's
+// edges. A profile that is not closed ends in fans from one vertex.
+inline Soup turned(const std::vector<std::array<double, 2>>& profile, std::size_t n, bool is_closed)
+{
+  Soup soup;
+  for(const auto& [r, z] : profile)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const double u = 2 * 3.14159265358979323846 * double(i) / double(n);
+      soup.points.push_back({r * std::cos(u), r * std::sin(u), z});
+    }
+  const std::size_t m = profile.size();
+  for(std::size_t j = 0; j < (is_closed ? m : m - 1); ++j)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t k = (i + 1) % n, l = (j + 1) % m;
+      soup.faces.push_back({j * n + i, j * n + k, l * n + k});
+      soup.faces.push_back({j * n + i, l * n + k, l * n + i});
+    }
+  for(std::size_t i = 1; !is_closed && i + 1 < n; ++i)
+  {
+    soup.faces.push_back({0, i + 1, i});
+    soup.faces.push_back({(m - 1) * n, (m - 1) * n + i, (m - 1) * n + i + 1});
+  }
+  return soup;
+}
+
 // The surface of the cube [0, 1]^3, n by n cells of two triangles a side.
 inline Soup cube(std::size_t n)
 {

@@ -168,6 +168,61 @@ void cad_models_have_all_their_sharp_edges()
   }
 }
 
+// As few facets as 10 to 24 around: they meet at 36 to 15 degrees along lines that are much longer than the sharp edges.
+void cylinders_of_few_facets_are_cad_models()
+{
+  using Profile = std::vector<std::array<double, 2>>;
+  const Profile pipe = {{1, 0}, {1, 6}, {.8, 6}, {.8, 0}}, shaft = {{1, 0}, {1, 4}, {1.5, 4}, {1.5, 5}, {1, 5}, {1, 9}, {.6, 9}, {.6, 14}},
+                cone = {{1, 0}, {.3, 5}, {.3, 8}}, rod = {{1, 0}, {1, 200}};
+  for(const std::size_t n : {10, 16, 24})
+    for(const auto& [profile, is_closed] : {std::make_pair(pipe, true), std::make_pair(shaft, false), std::make_pair(cone, false),
+                                           std::make_pair(rod, false)})
+    {
+      const Mesh m = meshes::to_mesh<Mesh>(meshes::turned(profile, n, is_closed));
+      const std::set<Edge> found = found_features(m);
+      std::size_t sharp = 0;
+      for(const Edge e : m.edges())
+        sharp += dihedral_angle(e, m) > 40;
+      CHECK_MESSAGE(sharp > 0 && found.size() == sharp, n << " facets: " << found.size() << " of " << sharp);
+      for(const Edge e : found)
+        CHECK(dihedral_angle(e, m) > 40);
+      Mesh output = m;
+      const double length = .3;
+      const auto report = IAR::isotropic_remeshing(length, output);
+      output.collect_garbage();
+      CHECK(report.features == Features::all_sharp_edges && !does_self_intersect(output));
+      CHECK(IAR::surface_distance(m, output).hausdorff() < .5 * length);
+    }
+}
+
+// A ring of square section whose edges are beveled: of the sides of a strip far narrower than the length one is a feature, of those
+// of a wider one both are; and so are the rims of a plate, however thin.
+void of_two_sides_of_a_narrow_strip_one_is_a_feature()
+{
+  constexpr std::size_t N = 48;
+  for(const auto& [strip, chains] : std::vector<std::pair<double, std::size_t>>{{.02, 4}, {.1, 8}})
+  {
+    const double a = 1 - strip;
+    const Mesh m = meshes::to_mesh<Mesh>(meshes::turned({{6, -a}, {6, a}, {5 + a, 1}, {5 - a, 1}, {4, a}, {4, -a}, {5 - a, -1}, {5 + a, -1}},
+                                                        N, true));
+    CHECK_MESSAGE(found_features(m, 1).size() == N * chains, strip << ": " << found_features(m, 1).size());
+    Mesh output = m;
+    const auto report = IAR::isotropic_remeshing(1, output);
+    CHECK(report.features == Features::all_sharp_edges);
+    const auto quality = IAR::inter_angle_statistics(output);
+    CHECK_MESSAGE(strip > .02 || quality.minimum_angle > 30, quality.minimum_angle);
+    CHECK_MESSAGE(IAR::surface_distance(m, output).hausdorff() < .15, IAR::surface_distance(m, output).hausdorff());
+  }
+  Soup plate = meshes::cube(6);
+  for(auto& p : plate.points)
+    p[2] *= .01;
+  const Mesh m = meshes::to_mesh<Mesh>(plate);
+  std::size_t sharp = 0;
+  for(const Edge e : m.edges())
+    sharp += dihedral_angle(e, m) > 40;
+  CHECK(sharp > 48 && found_features(m, .5).size() == sharp);
+}
+
 void organic_models_have_next_to_none()
 {
   CHECK(found_features(meshes::to_mesh<Mesh>(meshes::sphere(3))).empty());
@@ -846,6 +901,8 @@ int main()
   places_on_curves_are_found();
   the_energy_of_angles_has_its_gradient();
   cad_models_have_all_their_sharp_edges();
+  cylinders_of_few_facets_are_cad_models();
+  of_two_sides_of_a_narrow_strip_one_is_a_feature();
   organic_models_have_next_to_none();
   noise_hides_no_edge_and_makes_none();
   a_range_and_other_types_will_do();

@@ -68,6 +68,10 @@ public:
         drop(component);
   }
 
+  // Where two chains are the sides of a strip of the surface that is narrower than this, of few triangles across and no sheet's rim,
+  // the weaker one goes: no good triangles fit in between.
+  void drop_sides_of_strips(double width);
+
 private:
   struct Edge
   {
@@ -92,6 +96,8 @@ private:
   static constexpr double ALONG = 3;                   // so many distances apart along it, parts of a chain count as two
   static constexpr double JUNCTION_RADIUS = 1.5;       // in such distances, within which chains that meet are near each other
   static constexpr double ACUTE_COSINE = 0.9063077870366499;      // 25 degrees
+  static constexpr double STRIP_SHARE = 0.9;           // of a chain, along a strip
+  static constexpr double MOST_TURN = 120;             // of the surface, over the strip
 
   Index number_of(Index v)
   {
@@ -119,6 +125,12 @@ private:
     return n;
   }
 
+  // Of the face of h, over h.
+  double altitude(Index h) const
+  {
+    const Vector3 &a = mesh_.position(mesh_.origin(h)), &b = mesh_.position(mesh_.target(h)), &c = mesh_.position(mesh_.apex(h));
+    return internal::length(triangle_cross(a, b, c)) / internal::length(b - a);
+  }
   double length_of(const std::vector<Index>& edges) const
   {
     return std::accumulate(edges.begin(), edges.end(), 0., [&](double sum, Index e) { return sum + edges_[e].length; });
@@ -146,6 +158,7 @@ private:
   std::vector<std::pair<Index, Vector3>> first_edges(const Chain& chain) const;
   bool runs_beside(const Chain& chain, const std::vector<Vector3>& samples, const Point_grid& others) const;
   bool runs_beside_itself(const Chain& chain) const;
+  std::vector<Chain> chains_strongest_first() const;
   void drop_parallel_chains();
 
   const Remeshing_mesh& mesh_;
@@ -324,6 +337,15 @@ inline bool Feature_graph::runs_beside_itself(const Chain& chain) const
   return double(beside) > PARALLEL_SHARE * double(samples.size());
 }
 
+// By the sum of their angles; of equal ones, the first.
+inline std::vector<Feature_graph::Chain> Feature_graph::chains_strongest_first() const
+{
+  std::vector<Chain> result = chains();
+  std::stable_sort(result.begin(), result.end(), [&](const Chain& a, const Chain& b) {
+    return weighted_angle(a.edges) > weighted_angle(b.edges); });
+  return result;
+}
+
 // Strongest first, chains are accepted unless they run beside an accepted one, the border or themselves, or leave a vertex in
 // nearly the same direction as an accepted one.
 inline void Feature_graph::drop_parallel_chains()
@@ -334,13 +356,8 @@ inline void Feature_graph::drop_parallel_chains()
       for_each_sample(mesh_.position(mesh_.origin(h)), mesh_.position(mesh_.target(h)),
                       [&](const Vector3& p) { accepted.insert(p); });
 
-  const std::vector<Chain> all = chains();
-  std::vector<std::pair<double, std::size_t>> order;          // the strongest first, of equal ones the first
-  for (std::size_t i = 0; i < all.size(); ++i) order.emplace_back(-weighted_angle(all[i].edges), i);
-  std::sort(order.begin(), order.end());
   std::vector<std::vector<Vector3>> directions(vertices_.size());     // of accepted chains
-  for (const auto& entry : order) {
-    const Chain& chain = all[entry.second];
+  for (const Chain& chain : chains_strongest_first()) {
     const std::vector<std::pair<Index, Vector3>> first = first_edges(chain);
     const std::vector<Vector3> points = samples(chain);
     const bool is_acute = std::any_of(first.begin(), first.end(), [&](const auto& f) {
@@ -351,6 +368,28 @@ inline void Feature_graph::drop_parallel_chains()
     for (const auto& [v, d] : first) directions[v].push_back(d);
     for (const Vector3& p : points) accepted.insert(p);
   }
+}
+
+inline void Feature_graph::drop_sides_of_strips(double width)
+{
+  std::vector<double> accepted(vertices_.size(), 0);          // by vertex: the largest angle of an accepted edge there
+  const auto is_beside = [&](const Edge& e, Index h) {
+    const Index apex = number_[mesh_.apex(h)];
+    return apex >= 0 && accepted[apex] > 0 && accepted[apex] + e.angle < MOST_TURN &&
+           altitude(h) < width;
+  };
+  for (const Chain& chain : chains_strongest_first()) {
+    double beside = 0;
+    for (const Index i : chain.edges) {
+      const Edge& e = edges_[i];
+      if (is_beside(e, e.halfedge) || is_beside(e, mesh_.opposite(e.halfedge))) beside += e.length;
+    }
+    if (beside > STRIP_SHARE * length_of(chain.edges)) { drop(chain.edges); continue; }
+    for (const Index i : chain.edges)
+      for (const Index v : edges_[i].ends) accepted[v] = (std::max)(accepted[v], edges_[i].angle);
+  }
+  for (const Chain& chain : chains())                          // the ends of strips
+    if (chain.free_ends > 0 && length_of(chain.edges) < width) drop(chain.edges);
 }
 
 } // namespace internal

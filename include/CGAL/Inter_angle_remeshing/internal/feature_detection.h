@@ -43,7 +43,7 @@ public:
   // One half-edge of each feature.
   std::vector<Index> features()
   {
-    if (is_cad_) return sharp_edges(CAD_ANGLE);
+    if (is_cad_) return without_narrow_strips(sharp_edges(CAD_ANGLE));
     find_active_faces();
     if (active_.empty()) return {};
     for (int pass = 0; pass < BILATERAL_PASSES; ++pass) filter_normals();
@@ -53,7 +53,7 @@ public:
 
 private:
   // Dihedral angles in degrees.
-  static constexpr double CAD_ANGLE = 40, MILD_ANGLE = 12, FLAT_ANGLE = 8;
+  static constexpr double CAD_ANGLE = 40, MILD_ANGLE = 12, FLAT_ANGLE = 8, PLANAR_ANGLE = 0.5;
   static constexpr double LEAST_ANGLE = 30;
   // A candidate is this many times as sharp as three of the four other edges of its faces, before the filter.
   static constexpr double CANDIDATE_RATIO = 2.5;
@@ -62,6 +62,7 @@ private:
   static constexpr int BILATERAL_PASSES = 5;
   static constexpr double NORMAL_DEVIATION = 0.35;      // σ of the filter's weights, as a distance of unit normals
   static constexpr double LEAST_CANDIDATE_LENGTH = 4;   // of connected candidates, in lengths
+  static constexpr double NARROW = 0.05;                // strip, in lengths
   static constexpr int RINGS = 2;                       // around candidates that are filtered
 
   static double cosine_of(double degrees) { return std::cos(degrees * (CGAL_PI / 180)); }
@@ -108,22 +109,34 @@ private:
     return found;
   }
 
-  // CAD models have sharp edges and flat ones, and few in between.
+  // Whether the face of h is part of a planar polygon beyond h.
+  bool is_in_polygon(Index h) const
+  {
+    const double planar = cosine_of(PLANAR_ANGLE);
+    return (mesh_.opposite(mesh_.next(h)) >= 0 && cosine(mesh_.next(h)) > planar) ||
+           (mesh_.opposite(mesh_.prev(h)) >= 0 && cosine(mesh_.prev(h)) > planar);
+  }
+
+  // CAD models have sharp edges and flat ones, and few in between; or these are between planar polygons, as on cylinders, cones
+  // and other surfaces of revolution of few facets.
   void look_at_edges()
   {
     const double sharp = cosine_of(CAD_ANGLE), mild = cosine_of(MILD_ANGLE), flat = cosine_of(FLAT_ANGLE),
                  least = cosine_of(LEAST_ANGLE);
-    double of_sharp = 0, of_mild = 0;
+    double of_sharp = 0, of_mild = 0, of_facets = 0;
     std::size_t flat_edges = 0, edges = 0;
     for_each_inner_edge([&](Index h) {
       const double c = cosine(h);
       ++edges;
       flat_edges += c > flat;
       if (c <= least) sharp_edges_.push_back(h);
-      if (c <= sharp) of_sharp += std::sqrt(mesh_.squared_edge_length(h));
-      else if (c <= mild) of_mild += std::sqrt(mesh_.squared_edge_length(h));
+      if (c > mild) return;
+      const double l = std::sqrt(mesh_.squared_edge_length(h));
+      (c <= sharp ? of_sharp : of_mild) += l;
+      if (c > sharp && is_in_polygon(h) && is_in_polygon(mesh_.opposite(h))) of_facets += l;
     });
-    is_cad_ = of_mild < 0.5 * of_sharp || (of_mild < 1.1 * of_sharp && 2 * flat_edges > edges);
+    is_cad_ = of_mild < 0.5 * of_sharp || (of_mild < 1.1 * of_sharp && 2 * flat_edges > edges) ||
+              of_mild - of_facets < 0.2 * of_sharp;
   }
 
   // Of these edges, those that form chains and components that are features at the scale of the length.
@@ -132,6 +145,15 @@ private:
     Feature_graph graph(mesh_, length);
     for (const Index h : edges) graph.add(h, angle(h));
     graph.prune();
+    return graph.edges();
+  }
+
+  // Of these edges, those that are left when no two chains are the sides of a strip too narrow for the length.
+  std::vector<Index> without_narrow_strips(const std::vector<Index>& edges) const
+  {
+    Feature_graph graph(mesh_, length_);
+    for (const Index h : edges) graph.add(h, angle(h));
+    graph.drop_sides_of_strips(NARROW * length_);
     return graph.edges();
   }
 
