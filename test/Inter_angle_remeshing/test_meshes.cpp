@@ -388,7 +388,7 @@ void crossing_faces_are_parted()
   IAR::Recipe without_repair;
   without_repair.repair = false;
   std::size_t crossing = 0;
-  for(const auto& [name, factor] : {std::pair<const char*, double>{"cheese", 2}, {"turbine", 2}})
+  for(const auto& [name, factor] : {std::pair<const char*, double>{"cheese", 3}, {"homer", 2}, {"dino", 1}, {"turbine", 2}})
   {
     const Mesh& input = mesh_of_cgal(name);
     if(meshes::is_small_run() && input.number_of_faces() > SMALL)

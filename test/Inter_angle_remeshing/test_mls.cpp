@@ -600,6 +600,48 @@ void a_coarse_mesh_becomes_a_fine_surface()
   CHECK(mean_error(facets, distance_from_sphere) > 30 * mean_error(by_mls, distance_from_sphere));
 }
 
+// Around a capsule and a thick-walled tube with round ends, faces are many times as long as they are wide: what curves at the ends
+// says nothing about the straight part.
+void long_facets_stay_straight()
+{
+  using Profile = std::vector<std::array<double, 2>>;
+  const auto arc = [](double r, double z, double radius, double from, double to, int steps) {
+    Profile result;
+    for(int k = 0; k <= steps; ++k)
+    {
+      const double t = (from + (to - from) * k / steps) * CGAL_PI;
+      result.push_back({r + radius * std::cos(t), z + radius * std::sin(t)});
+    }
+    return result;
+  };
+  const auto append = [](Profile a, const Profile& b) { a.insert(a.end(), b.begin(), b.end()); return a; };
+  constexpr double TINY = 1e-3;                // the poles are small polygons
+  const Profile capsule = append(arc(TINY, 0, 1, -.5, 0, 7), arc(TINY, 12, 1, 0, .5, 7));
+  const Profile tube = append(arc(.9, 6, .1, 0, 1, 12), arc(.9, 0, .1, 1, 2, 12));
+  for(const std::size_t n : {12, 32, 64})
+    for(const double length : {.25, .12})
+    {
+      Mesh m = to_mesh<Mesh>(meshes::turned(capsule, n, false));
+      const Mesh input = m;
+      IAR::isotropic_remeshing(length, m);
+      const double sagitta = 1 - std::cos(CGAL_PI / double(n));
+      for(const auto v : m.vertices())
+      {
+        const Point& p = m.point(v);
+        const Point axis(0, 0, std::max(0., std::min(12., p.z())));
+        CHECK_MESSAGE(std::abs(std::sqrt(CGAL::squared_distance(p, axis)) - 1) < 2 * sagitta + .03, n << ", " << length << ": " << p);
+      }
+      CHECK(IAR::inter_angle_statistics(m).minimum_angle > 40 && !PMP::does_self_intersect(m));
+
+      Mesh wall = to_mesh<Mesh>(meshes::turned(tube, n, true));
+      const Mesh thick = wall;
+      IAR::isotropic_remeshing(length, wall);
+      CHECK_MESSAGE(!PMP::does_self_intersect(wall), n << ", " << length);
+      const double distance = IAR::surface_distance(thick, wall).hausdorff();
+      CHECK_MESSAGE(distance < .8 * length, n << ", " << length << ": " << distance);
+    }
+}
+
 // The fit brings the faces nearer to the surface, in both directions, and costs no angles.
 void a_fit_comes_nearer()
 {
@@ -716,6 +758,7 @@ int main()
   sharp_models_stay_near();
 #endif
   a_coarse_mesh_becomes_a_fine_surface();
+  long_facets_stay_straight();
   a_fit_comes_nearer();
   a_fit_leaves_planes_flat();
   the_paper_preset_keeps_to_the_point_set();

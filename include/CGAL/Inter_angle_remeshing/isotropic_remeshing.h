@@ -99,9 +99,10 @@ number of faces of the range and of the result, per iteration.
                           call and restored in the end: it may read nothing else. `Closest_point_projector` and
                           `MLS_projector` run from warm starts. Hand functors with a state over by `std::ref`.}
     \cgalParamType{a model of `RemeshingProjector`}
-    \cgalParamDefault{onto the closest point of the range as it was where its faces have mean edge lengths of up to two
-                      target lengths or where hardly any has more, and on CAD models, onto the surface of
-                      `MLS_projector` from three on, smooth in between}
+    \cgalParamDefault{onto the closest point of the range as it was where its faces have sizes of up to two target lengths or
+                      where hardly any has more, and on CAD models, onto the surface of `MLS_projector` from three on,
+                      smooth in between. The size of a face is its mean edge length, but at most 1.7 times its
+                      altitude, or that of a neighbor}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{edges that are never flipped. They may be split and collapsed, and their ends slide along the

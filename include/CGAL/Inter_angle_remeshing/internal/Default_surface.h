@@ -39,9 +39,9 @@ inline std::vector<Remeshing_mesh::Index> faces_by_source(const Reference_surfac
   return result;
 }
 
-// The default: facets where they are at most twice as long as the target, for they are what the result is measured
-// against; the MLS surface where they are three times as long, for there they would show; smooth between. Where hardly any
-// facet is that long, the run is one at the input's own length, and the facets rule everywhere; so they do on CAD models,
+// The default: facets where they are at most twice as large as the target is long, for they are what the result is measured
+// against; the MLS surface where they are three times as large, for there they would show; smooth between. Where hardly any
+// facet is that large, the run is one at the input's own length, and the facets rule everywhere; so they do on CAD models,
 // where they are what the design was approximated by.
 struct Default_surface
 {
@@ -58,13 +58,14 @@ struct Default_surface
         parts.push_back(float(sizing.part_of_face(facets.face_record(f).source)));
       smallest_part = *std::min_element(parts.begin(), parts.end());
     }
-    double all = 0, long_ones = 0;
+    double all = 0, large_ones = 0;
     for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()); ++f) {
       const double area = length(facets.cross_product(f));
       all += area;
-      if (mean_edge_length(facets, f) > FACET_RATIO * target * part(f)) long_ones += area;
+      const double bound = FACET_RATIO * target * part(f);
+      if (mean_edge_length(facets, f) > bound && facet_size(facets, f) > bound) large_ones += area;
     }
-    if (!(long_ones > LEAST_SHARE * all)) return;
+    if (!(large_ones > LEAST_SHARE * all)) return;
     const std::vector<Remeshing_mesh::Index> creases =
       kind.has_found_features ? std::vector<Remeshing_mesh::Index>() : find_features(mesh);
     smooth.emplace(facets, creases, FACET_RATIO * target * double(smallest_part));
@@ -104,7 +105,7 @@ struct Default_surface
     for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()); ++f) {
       const double area = length(facets.cross_product(f)) / 2;
       flat += area;
-      curved += smooth->mean_edge_length(f) > FACET_RATIO * target_length * part(f) ? smooth->area(f) : area;
+      curved += smooth->size(f) > FACET_RATIO * target_length * part(f) ? smooth->area(f) : area;
     }
     return curved / flat;
   }

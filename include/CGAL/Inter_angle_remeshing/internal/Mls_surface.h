@@ -31,6 +31,17 @@ inline double mean_edge_length(const Reference_surface& surface, Reference_surfa
   return sum / 3;
 }
 
+// How large a face is: its mean edge length, but not more than 1.7 times the altitude over the longest edge, of it or of one of its
+// neighbors. Where all faces are needles, as along a cylinder, they are narrow, however long.
+inline double facet_size(const Reference_surface& surface, Reference_surface::Index f)
+{
+  constexpr double ALTITUDES = 1.7;
+  double altitude = surface.least_altitude(f);
+  for (Reference_surface::Index h = 4 * f; h < 4 * f + 3; ++h)
+    if (surface.opposite(h) >= 0) altitude = (std::max)(altitude, surface.least_altitude(surface.opposite(h) >> 2));
+  return (std::min)(mean_edge_length(surface, f), ALTITUDES * altitude);
+}
+
 // A smooth surface over the faces of a reference surface: through its vertices, with the normals of a moving least squares
 // fit there. Features and borders become curves, and corners stay. With barycentric coordinates b of a face,
 //
@@ -45,9 +56,9 @@ public:
   using Index = Reference_surface::Index;
   using Barycentric = std::array<double, 3>;
 
-  // Of the faces whose mean edge length is over `least_length`; on the other ones the surface is the triangle. Features are
+  // Of the faces that are larger than `least_size`; on the other ones the surface is the triangle. Features are
   // the border, constrained edges, and those of the half-edges `creases`.
-  Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_length = -1);
+  Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_size = -1);
 
   const Reference_surface& reference_surface() const { return *surface_; }
 
@@ -81,13 +92,13 @@ public:
     return {feature_offset(h >> 2, from, to), feature_offset(h >> 2, to, from)};
   }
   bool is_feature(Index h) const { return (faces_[h >> 2].features >> (h & 3) & 1) != 0; }
-  double mean_edge_length(Index f) const { return lengths_[f]; }
+  double size(Index f) const { return sizes_[f]; }
   // The smooth part of the surface around corner k of face f, between features, and its unit normal there; -1: none.
   Index sector(Index f, int k) const { return faces_[f].sector[k]; }
   const Vector3& sector_normal(Index s) const { return normals_[s]; }
   std::size_t number_of_sectors() const { return normals_.size(); }
 
-  // Bounds, in mean edge lengths of the face: of the distance from P(b) to the face, and from P(b) to a projection.
+  // Bounds, in sizes of the face: of the distance from P(b) to the face, and from P(b) to a projection.
   static constexpr double LARGEST_OFFSET = 0.15, LARGEST_STEP = 0.3;
 
 private:
@@ -99,8 +110,9 @@ private:
     std::uint32_t features = 0;              // a bit for each edge on a feature, then one for each such vertex
   };
 
-  // |d| is at most this fraction of the edge.
-  static constexpr double STEEPEST = 0.35;
+  // |d| is at most this fraction of the edge. What curves at the ends of an edge says little about one that is more than this many
+  // times as long as the faces beside it are large: there it falls with the square of that.
+  static constexpr double STEEPEST = 0.35, LONG = 2;
 
   static Vector3 clamped(const Vector3& d, double bound)
   {
@@ -116,7 +128,7 @@ private:
   const Vector3& corner(Index f, int k) const { return surface_->position(surface_->face_record(f).vertex[k]); }
 
   bool is_on_feature(Index f, const Barycentric& b) const;
-  void find_lengths(double least_length);
+  void find_sizes(double least_size);
   void find_features(const std::vector<Index>& creases);
   bool is_fold(Index h) const;
   bool is_beside_fold(Index h) const;
@@ -129,7 +141,7 @@ private:
 
   const Reference_surface* surface_;
   std::vector<Face_data> faces_;
-  std::vector<float> lengths_;               // mean of the edges, by face
+  std::vector<float> sizes_;               // mean of the edges, by face
   // Only what the curved faces need is found: the features and normals around their corners.
   std::vector<Index> curved_;
   std::vector<char> is_corner_;              // by vertex: of a curved face
@@ -138,24 +150,24 @@ private:
   std::vector<Vector3> tangents_;            // unit, by vertex on a feature; zero at corners
 };
 
-inline Mls_surface::Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_length)
+inline Mls_surface::Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_size)
   : surface_(&surface), faces_(surface.number_of_faces())
 {
-  find_lengths(least_length);
+  find_sizes(least_size);
   find_features(creases);
   find_tangents();
   fit_sectors();
   find_rises();
 }
 
-inline void Mls_surface::find_lengths(double least_length)
+inline void Mls_surface::find_sizes(double least_size)
 {
   is_corner_.assign(surface_->number_of_vertices(), 0);
-  lengths_.resize(faces_.size());
+  sizes_.resize(faces_.size());
   for (Index f = 0; f < Index(faces_.size()); ++f) {
-    const double l = internal::mean_edge_length(*surface_, f);
-    lengths_[f] = float(l);
-    if (!(l > least_length)) continue;
+    const double size = facet_size(*surface_, f);
+    sizes_[f] = float(size);
+    if (!(size > least_size)) continue;
     curved_.push_back(f);
     for (int k = 0; k < 3; ++k) is_corner_[surface_->origin(4 * f + k)] = 1;
   }
@@ -302,10 +314,12 @@ inline void Mls_surface::find_rises()
     for (int k = 0; k < 3; ++k) {
       const Vector3 n = corner_normal(f, k);
       for (int side = 0; side < 2; ++side) {
-        if (is_beside_fold(4 * f + (k + 2 * side) % 3)) continue;
+        const Index h = 4 * f + (k + 2 * side) % 3, across = surface_->opposite(h);
+        if (is_beside_fold(h)) continue;
         const Vector3 e = corner(f, (k + 1 + side) % 3) - corner(f, k);
-        const double bound = STEEPEST * length(e);
-        faces_[f].rise[k][side] = float((std::max)(-bound, (std::min)(bound, dot(e, n))));
+        const double size = across >= 0 ? (std::min)(sizes_[f], sizes_[across >> 2]) : sizes_[f];
+        const double l = length(e), bound = STEEPEST * l, part = (std::min)(1., LONG * size / l);
+        faces_[f].rise[k][side] = float(part * part * (std::max)(-bound, (std::min)(bound, dot(e, n))));
       }
     }
 }
@@ -338,7 +352,7 @@ inline Vector3 Mls_surface::point(Index f, const Barycentric& b) const
     else rise += to_before * data.rise[k][1];
     if (rise != 0) offset += -rise * corner_normal(f, k);
   }
-  return flat + clamped(offset, LARGEST_OFFSET * lengths_[f]);
+  return flat + clamped(offset, LARGEST_OFFSET * sizes_[f]);
 }
 
 inline Mls_surface::Barycentric barycentric(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c)
@@ -398,7 +412,7 @@ inline Vector3 Mls_surface::project(const Vector3& q, Index f, const Point_on_tr
   const double square = squared_length(n);
   if (square < 0.25) return p;
   const Vector3 moved = q + (dot(p - q, n) / square) * n;
-  const double bound = LARGEST_STEP * lengths_[f];
+  const double bound = LARGEST_STEP * sizes_[f];
   return squared_distance(moved, p) <= bound * bound ? moved : p;
 }
 

@@ -110,7 +110,7 @@ inline Bilinear_form Curvature::form_of_face(Index f) const
 {
   const auto& corner = surface_.face_record(f).vertex;
   const Vector3 cross_product = surface_.cross_product(f);
-  const double l = mls_.mean_edge_length(f), doubled_area = length(cross_product);
+  const double l = mls_.size(f), doubled_area = length(cross_product);
   if (!(doubled_area > 0)) return {};
   std::array<Vector3, 3> normal;
   for (int k = 0; k < 3; ++k) {
@@ -162,7 +162,7 @@ void Curvature::average(const Radius& radius_at)
     for (const Index f : active) forms_[f] = averaged[f];
     if (round + 1 < LEAST_ROUNDS) continue;
     active.erase(std::remove_if(active.begin(), active.end(), [&](Index f) {
-      return mls_.mean_edge_length(f) * std::sqrt(SPREAD * (round + 1)) >= radius_at(spectral_radius(forms_[f]));
+      return mls_.size(f) * std::sqrt(SPREAD * (round + 1)) >= radius_at(spectral_radius(forms_[f]));
     }), active.end());
   }
 }

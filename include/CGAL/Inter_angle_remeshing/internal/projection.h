@@ -44,14 +44,14 @@ inline Vector3 unit_vector(const Vector3& v)
 }
 
 // Onto the surface near the hint: the closest point on its facets, a point of the MLS surface over them, or one in
-// between, as the length of the facet says. Or by the user's rule; without a surface and without a rule every point stays. Points
+// between, as the size of the facet says. Or by the user's rule; without a surface and without a rule every point stays. Points
 // are in the units of the flat mesh; `hint` is the face of the surface where a walk starts and ends.
 struct Projection
 {
   const Reference_surface* surface = nullptr;
   double factor = 1;                     // from the flat mesh's units to those of the surface and of the rule, a power of two
   const Mls_surface* mls = nullptr;      // none: the facets
-  double facet_length = 0;               // mean edge length of a face, up to which its facet counts,
+  double facet_length = 0;               // size of a face up to which its facet counts,
   double smooth_length = 0;              // and from which on the MLS surface counts alone; by the sizing field's parts
   const std::vector<float>* parts = nullptr;    // by face of the surface; none: uniform
   // Rules where it is given; the walk, if there is a surface, then serves for the hint alone.
@@ -100,10 +100,10 @@ struct Projection
   }
   // Whether its faces are those of the input.
   bool is_input() const { return face_of_source != nullptr && rule == nullptr; }
-  // The mean edge length of a face, as it were if the target length were uniform.
+  // The size of a face, as it were if the target length were uniform.
   double facet_size(Corner_table::Index f) const
   {
-    const double l = mls->mean_edge_length(f);
+    const double l = mls->size(f);
     return parts == nullptr ? l : l / double((*parts)[f]);
   }
   // From 0 to 1 without a kink.

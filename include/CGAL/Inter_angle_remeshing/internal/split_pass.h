@@ -8,7 +8,9 @@
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/curve_edges.h>
 #include <CGAL/Inter_angle_remeshing/internal/evaluate_then_apply.h>
+#include <CGAL/Inter_angle_remeshing/internal/folds.h>
 
+#include <cmath>
 #include <vector>
 
 // Splits edges that are longer than about 4/3 of the target length at their midpoints (Zheng and Lv, edge splitting); those on
@@ -124,7 +126,24 @@ inline Split_vertex split(Remeshing_context& context, Remeshing_mesh::Index h)
   return made;
 }
 
-// Splits the edges of `long_edges` as far as they are still too long; appends short edges at new vertices to
+// Whether a face at the edge of h is a needle along it: the edge is longer than that many target lengths, and the face is lower
+// than one, but not by far. Divided all along at once, such faces are not many more than the run will need; as long ones,
+// turned a little, they would cut through thin walls.
+inline bool is_beside_needle(const Remeshing_context& context, Remeshing_mesh::Index h, double target_lengths)
+{
+  constexpr double THIN = 0.05;                     // altitude, in target lengths
+  const Remeshing_mesh& mesh = context.mesh;
+  const double length = context.length_at(mesh.origin(h)), edge = std::sqrt(mesh.squared_edge_length(h));
+  if (edge < target_lengths * length) return false;
+  for (const Remeshing_mesh::Index side : {h, mesh.opposite(h)}) {
+    if (side < 0) continue;
+    const double altitude = internal::length(cross_product(mesh, mesh.face(side))) / edge;
+    if (altitude < length && altitude > THIN * length) return true;
+  }
+  return false;
+}
+
+// Splits the edges of `long_edges` as far as they are still too long, and what is left of needles; appends short edges at new vertices to
 // `short_edges`. Returns the number of splits.
 template <class ConcurrencyTag>
 std::size_t split_pass(Remeshing_context& context, std::vector<Remeshing_mesh::Index>& long_edges,
@@ -139,6 +158,12 @@ std::size_t split_pass(Remeshing_context& context, std::vector<Remeshing_mesh::I
   const std::vector<Index> curve_edges = long_curve_edges<ConcurrencyTag>(context);
   long_edges.insert(long_edges.end(), curve_edges.begin(), curve_edges.end());
 
+  // Of needles: how long a part is split at once, and an edge beside it, in target lengths.
+  constexpr double LONG_PART = 2, LONG_NEIGHBOR = 4;
+  const auto append_needle = [&](Index h, double target_lengths) {
+    if (is_too_long(h) && is_beside_needle(context, h, target_lengths)) long_edges.push_back(h);
+  };
+
   std::vector<Split_vertex> made_vertices;
   evaluate_then_apply<ConcurrencyTag>(mesh, long_edges,
     [&](Index h) -> bool {
@@ -152,6 +177,8 @@ std::size_t split_pass(Remeshing_context& context, std::vector<Remeshing_mesh::I
       made_vertices.push_back(made);
       mesh.for_each_around(made.vertex, [&](Index k) {
         if (mesh.squared_edge_length(k) < context.squared_shortness_limit(made.vertex, mesh.target(k))) short_edges.push_back(k);
+        append_needle(k, LONG_PART);
+        append_needle(mesh.next(k), LONG_NEIGHBOR);
       });
     });
   project_split_vertices<ConcurrencyTag>(context, made_vertices);
