@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What CAD systems export: surfaces of revolution whose faces are as long as the part and as narrow as it curves. By default
+// with nothing marked, and by PMP with the edges over 40 degrees marked, both to a length at which so many equilateral
+// triangles have the area of the input. A table in Markdown.
+//
+//   tessellations [pairs]       the times are medians over so many pairs of runs; 5
+
+#include "meshes.h"
+
+#include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
+#include <CGAL/Inter_angle_remeshing/surface_distance.h>
+#include <CGAL/Inter_angle_remeshing/triangle_quality.h>
+
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace IAR = CGAL::Inter_angle_remeshing;
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace parameters = CGAL::parameters;
+
+namespace {
+
+// Radii and heights, the outer side to the right of their order.
+using Profile = std::vector<std::array<double, 2>>;
+
+Profile arc(double r, double z, double radius, double from, double to, int steps)
+{
+  Profile result;
+  for (int k = 0; k <= steps; ++k) {
+    const double t = (from + (to - from) * k / steps) * CGAL_PI;
+    result.push_back({r + radius * std::cos(t), z + radius * std::sin(t)});
+  }
+  return result;
+}
+
+Profile joined(Profile a, const Profile& b)
+{
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+// Turned around the z axis in n steps; a profile that is not closed ends in fans from one vertex.
+Mesh turned(const Profile& profile, std::size_t n, bool is_closed)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for (const auto& [r, z] : profile)
+    for (std::size_t i = 0; i < n; ++i) {
+      const double u = 2 * CGAL_PI * double(i) / double(n);
+      v.push_back(mesh.add_vertex(Kernel::Point_3(r * std::cos(u), r * std::sin(u), z)));
+    }
+  const std::size_t m = profile.size();
+  const auto at = [&](std::size_t j, std::size_t i) { return v[(j % m) * n + i % n]; };
+  for (std::size_t j = 0; j < (is_closed ? m : m - 1); ++j)
+    for (std::size_t i = 0; i < n; ++i) {
+      mesh.add_face(at(j, i), at(j, i + 1), at(j + 1, i + 1));
+      mesh.add_face(at(j, i), at(j + 1, i + 1), at(j + 1, i));
+    }
+  for (std::size_t i = 1; !is_closed && i + 1 < n; ++i) {
+    mesh.add_face(at(0, 0), at(0, i + 1), at(0, i));
+    mesh.add_face(at(m - 1, 0), at(m - 1, i), at(m - 1, i + 1));
+  }
+  return mesh;
+}
+
+struct Part
+{
+  std::string name;
+  Mesh mesh;
+};
+
+std::vector<Part> parts()
+{
+  constexpr double POLE = 1e-3;               // a small polygon
+  const Profile shaft = {{1, 0}, {1, 4}, {1.5, 4}, {1.5, 5}, {1, 5}, {1, 9}, {.6, 9}, {.6, 14}},
+                pipe = {{1, 0}, {1, 6}, {.8, 6}, {.8, 0}}, rod = {{.3, 0}, {.3, 60}}, disc = {{1, 0}, {1, .05}},
+                capsule = joined(arc(POLE, 0, 1, -.5, 0, 7), arc(POLE, 12, 1, 0, .5, 7)),
+                tube = joined(arc(.9, 6, .1, 0, 1, 12), arc(.9, 0, .1, 1, 2, 12));
+  return {{"shaft, 12", turned(shaft, 12, false)}, {"shaft, 24", turned(shaft, 24, false)}, {"pipe, 16", turned(pipe, 16, true)},
+          {"rod, 24", turned(rod, 24, false)}, {"disc, 200", turned(disc, 200, false)},
+          {"capsule, 12", turned(capsule, 12, false)}, {"capsule, 64", turned(capsule, 64, false)},
+          {"tube with round ends, 12", turned(tube, 12, true)}, {"tube with round ends, 64", turned(tube, 64, true)}};
+}
+
+template <class Remesh>
+double time(const Mesh& input, Mesh& output, const Remesh& remesh)
+{
+  output = input;
+  CGAL::Real_timer timer;
+  timer.start();
+  remesh(output);
+  timer.stop();
+  output.collect_garbage();
+  return timer.time();
+}
+
+template <class Value>
+Value median(std::vector<Value> values)
+{
+  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+void print_figures(const Mesh& input, const Mesh& output)
+{
+  const auto angles = IAR::inter_angle_statistics(output);
+  const auto distance = IAR::surface_distance(input, output);
+  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> crossings;
+  PMP::self_intersections(output, std::back_inserter(crossings));
+  std::printf(" %zu | %.0f..%.0f | %.1f | %.2g | %.2g | %zu |", std::size_t(output.number_of_faces()), angles.minimum_angle,
+              angles.maximum_angle, angles.average, 100 * distance.relative_hausdorff(), 100 * distance.relative_mean(),
+              crossings.size());
+}
+
+void compare(const Part& part, std::size_t wanted, std::size_t pairs)
+{
+  const double length = IAR::target_edge_length(faces(part.mesh), part.mesh, wanted);
+  Mesh ours, theirs;
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < pairs; ++i) {
+    const double t = time(part.mesh, ours, [&](Mesh& m) { IAR::isotropic_remeshing(length, m); });
+    ratios.push_back(time(part.mesh, theirs, [&](Mesh& m) {
+      const auto is_sharp = m.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
+      PMP::detect_sharp_edges(m, 40, is_sharp);
+      PMP::isotropic_remeshing(faces(m), length, m, parameters::number_of_iterations(10).edge_is_constrained_map(is_sharp));
+    }) / t);
+  }
+  std::printf("| %s | %zu | ours |", part.name.c_str(), wanted);
+  print_figures(part.mesh, ours);
+  std::printf(" %.1f |\n| | | PMP |", median(ratios));
+  print_figures(part.mesh, theirs);
+  std::printf(" |\n");
+  std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const std::size_t pairs = argc > 1 ? std::size_t(std::max(1, std::atoi(argv[1]))) : 5;
+  std::printf("| part, facets around | faces wanted | | faces | angles | θ_avg | Hd | Md | crossings | times as fast |\n"
+              "|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const Part& part : parts())
+    for (const std::size_t wanted : {3000, 12000}) compare(part, wanted, pairs);
+}
