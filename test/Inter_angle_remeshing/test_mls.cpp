@@ -642,6 +642,26 @@ void long_facets_stay_straight()
     }
 }
 
+// A cone of 4000 facets: from where a vertex was to where it is pulled back, walks pass hundreds of them.
+void walks_pass_any_number_of_facets()
+{
+  constexpr std::size_t N = 4000;
+  meshes::Soup soup;
+  soup.points.push_back({0, 0, 1});
+  for(std::size_t i = 0; i < N; ++i)
+  {
+    const double u = 2 * CGAL_PI * double(i) / double(N);
+    soup.points.push_back({std::cos(u), std::sin(u), 0});
+    soup.faces.push_back({0, 1 + i, 1 + (i + 1) % N});
+  }
+  Mesh m = to_mesh<Mesh>(soup);
+  const Mesh input = m;
+  IAR::isotropic_remeshing(.05, m);
+  const auto angles = IAR::inter_angle_statistics(m);
+  CHECK_MESSAGE(angles.minimum_angle > 30 && angles.average > 57, angles.minimum_angle << ", " << angles.average);
+  CHECK_MESSAGE(IAR::surface_distance(input, m).hausdorff() < .03, IAR::surface_distance(input, m).hausdorff());
+}
+
 // The fit brings the faces nearer to the surface, in both directions, and costs no angles.
 void a_fit_comes_nearer()
 {
@@ -759,6 +779,7 @@ int main()
 #endif
   a_coarse_mesh_becomes_a_fine_surface();
   long_facets_stay_straight();
+  walks_pass_any_number_of_facets();
   a_fit_comes_nearer();
   a_fit_leaves_planes_flat();
   the_paper_preset_keeps_to_the_point_set();

@@ -16,7 +16,7 @@ namespace Inter_angle_remeshing {
 namespace internal {
 
 // Steps of a walk; one visits 1.7 faces on the average. The bound only keeps rounding from running in circles.
-constexpr int MAXIMUM_WALK = 200;
+constexpr int MAXIMUM_WALK = 100000;
 // A step of the walk must come nearer by this fraction of the squared distance: more than rounding.
 constexpr double NEARER = 1 - 1e-12;
 
