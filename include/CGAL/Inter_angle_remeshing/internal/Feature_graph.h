@@ -68,8 +68,8 @@ public:
         drop(component);
   }
 
-  // Where two chains are the sides of a strip of the surface that is narrower than this, of few triangles across and no sheet's rim,
-  // the weaker one goes: no good triangles fit in between.
+  // Where two chains are the sides of a strip of faces that is narrower than this, the weaker one goes: no good triangles fit in
+  // between. Not at the rim of a plate, where the surface turns back.
   void drop_sides_of_strips(double width);
 
 private:
@@ -375,8 +375,7 @@ inline void Feature_graph::drop_sides_of_strips(double width)
   std::vector<double> accepted(vertices_.size(), 0);          // by vertex: the largest angle of an accepted edge there
   const auto is_beside = [&](const Edge& e, Index h) {
     const Index apex = number_[mesh_.apex(h)];
-    return apex >= 0 && accepted[apex] > 0 && accepted[apex] + e.angle < MOST_TURN &&
-           altitude(h) < width;
+    return apex >= 0 && accepted[apex] > 0 && accepted[apex] + e.angle < MOST_TURN && altitude(h) < width;
   };
   for (const Chain& chain : chains_strongest_first()) {
     double beside = 0;

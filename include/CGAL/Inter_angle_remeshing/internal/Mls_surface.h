@@ -141,7 +141,7 @@ private:
 
   const Reference_surface* surface_;
   std::vector<Face_data> faces_;
-  std::vector<float> sizes_;               // mean of the edges, by face
+  std::vector<float> sizes_;                 // by face
   // Only what the curved faces need is found: the features and normals around their corners.
   std::vector<Index> curved_;
   std::vector<char> is_corner_;              // by vertex: of a curved face

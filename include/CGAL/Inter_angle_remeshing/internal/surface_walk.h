@@ -15,7 +15,8 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// Steps of a walk; one visits 1.7 faces on the average. The bound only keeps rounding from running in circles.
+// Steps of a walk; one visits 1.7 faces on the average, but hundreds where these are needles. The bound only keeps rounding from
+// running in circles.
 constexpr int MAXIMUM_WALK = 100000;
 // A step of the walk must come nearer by this fraction of the squared distance: more than rounding.
 constexpr double NEARER = 1 - 1e-12;
