@@ -621,6 +621,8 @@ void long_facets_stay_straight()
   for(const std::size_t n : {12, 32, 64})
     for(const double length : {.25, .12})
     {
+      if(is_small_run() && (n == 32 || length < .2))
+        continue;
       Mesh m = to_mesh<Mesh>(meshes::turned(capsule, n, false));
       const Mesh input = m;
       IAR::isotropic_remeshing(length, m);
