@@ -12,6 +12,7 @@
 // lies within a tenth of the target length of the result's.
 
 #include "meshes.h"
+#include "timing.h"
 
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 #include <CGAL/Inter_angle_remeshing/surface_distance.h>
@@ -20,7 +21,6 @@
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Real_timer.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -67,18 +67,6 @@ double kept(const Mesh& input, const Edge_map& marks, Mesh result, double angle,
   return all > 0 ? 100 * near / all : 100;
 }
 
-template <class Remesh>
-double seconds(const Mesh& input, Mesh& result, const Remesh& remesh)
-{
-  result = input;
-  CGAL::Real_timer timer;
-  timer.start();
-  remesh(result);
-  timer.stop();
-  result.collect_garbage();
-  return timer.time();
-}
-
 void print_row(const std::string& name, const char* who, const Mesh& input, const Edge_map& marks, const Mesh& result,
                double length, double feature_angle, double ratio)
 {
@@ -120,11 +108,6 @@ void compare(const std::string& name, double factor, bool is_cad)
     ratio_unmarked.push_back(pmp / seconds(input, unmarked, [&](Mesh& m) {
       IAR::isotropic_remeshing(faces(m), length, m, iterations); }));
   }
-  const auto median = [](std::vector<double> v) {
-    if (v.empty()) return 0.;
-    std::nth_element(v.begin(), v.begin() + v.size() / 2, v.end());
-    return v[v.size() / 2];
-  };
   char title[80];
   std::snprintf(title, sizeof title, "%s, %g", name.c_str(), factor);
   print_row(title, "PMP", input, marks, theirs, length, angle, 0);

@@ -12,11 +12,11 @@
 
 #include "meshes.h"
 #include "peak_memory.h"
+#include "timing.h"
 
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Real_timer.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -74,22 +74,6 @@ double mean_edge_length_of(const Faces& range, const Mesh& mesh)
     for (const auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
       sum += CGAL::Polygon_mesh_processing::edge_length(h, mesh);
   return sum / (3 * double(range.size()));
-}
-
-double median(std::vector<double> values)
-{
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
-
-template <class Function>
-double seconds(const Function& function)
-{
-  CGAL::Real_timer timer;
-  timer.start();
-  function();
-  timer.stop();
-  return timer.time();
 }
 
 // The k-th of RANGES ranges, spread over the mesh.

@@ -9,6 +9,7 @@
 //   tessellations [pairs]       the times are medians over so many pairs of runs; 5
 
 #include "meshes.h"
+#include "timing.h"
 
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 #include <CGAL/Inter_angle_remeshing/surface_distance.h>
@@ -17,7 +18,6 @@
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Real_timer.h>
 
 #include <algorithm>
 #include <array>
@@ -97,25 +97,6 @@ std::vector<Part> parts()
           {"tube with round ends, 12", turned(tube, 12, true)}, {"tube with round ends, 64", turned(tube, 64, true)}};
 }
 
-template <class Remesh>
-double time(const Mesh& input, Mesh& output, const Remesh& remesh)
-{
-  output = input;
-  CGAL::Real_timer timer;
-  timer.start();
-  remesh(output);
-  timer.stop();
-  output.collect_garbage();
-  return timer.time();
-}
-
-template <class Value>
-Value median(std::vector<Value> values)
-{
-  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
-
 void print_figures(const Mesh& input, const Mesh& output)
 {
   const auto angles = IAR::inter_angle_statistics(output);
@@ -133,8 +114,8 @@ void compare(const Part& part, std::size_t wanted, std::size_t pairs)
   Mesh ours, theirs;
   std::vector<double> ratios;
   for (std::size_t i = 0; i < pairs; ++i) {
-    const double t = time(part.mesh, ours, [&](Mesh& m) { IAR::isotropic_remeshing(length, m); });
-    ratios.push_back(time(part.mesh, theirs, [&](Mesh& m) {
+    const double t = seconds(part.mesh, ours, [&](Mesh& m) { IAR::isotropic_remeshing(length, m); });
+    ratios.push_back(seconds(part.mesh, theirs, [&](Mesh& m) {
       const auto is_sharp = m.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
       PMP::detect_sharp_edges(m, 40, is_sharp);
       PMP::isotropic_remeshing(faces(m), length, m, parameters::number_of_iterations(10).edge_is_constrained_map(is_sharp));
