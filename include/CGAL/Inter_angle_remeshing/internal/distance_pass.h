@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,8 @@ class Distance_reducer
   static constexpr double STEP = 0.8, REGULAR = 0.05, LEAST_WEIGHT = 0.01, LONGEST = 0.25;
   // By how much the energy of angles may rise in the first iterations: a degree too much.
   static constexpr double SLACK = 1.5e-4;
+  // They end early where the score after the second, third ... is so many times the best one, or hardly lower than the last.
+  static constexpr double PROMISING[] = {2, 1.2, 1.1, 1}, SETTLED = 0.99;
   // A trial must lower the score by so much; a degree out of the band counts as half a target length.
   static constexpr double NOTICEABLE = 0.03, DEGREE = 0.5, TOUCH = 0.05;
   // The pass ends after so many trials and one more for so many faces: a trial takes as long as 80 faces of the run.
@@ -172,10 +175,17 @@ private:
     return result;
   }
 
-  // Starts from these distances, and returns those afterwards.
-  Distances move_by_least_squares(Patch& patch, Distances distances)
+  struct Result
   {
-    for (int i = 0; i < ITERATIONS && distances.largest > GOOD * samples_.tolerance(); ++i) {
+    Distances distances;
+    double score;
+  };
+
+  // Starts from these distances, and ends where it gets no better, or will not reach `best_score`.
+  Result move_by_least_squares(Patch& patch, const Distances& before, double best_score)
+  {
+    Result result{before, score(patch, before)};
+    for (int i = 0; i < ITERATIONS && result.distances.largest > GOOD * samples_.tolerance(); ++i) {
       for (std::size_t k = 0; k < patch.vertices.size(); ++k) {
         const Index v = patch.vertices[k];
         if (!mesh_.is_free(v) || !(patch.weight[k] > 0)) continue;
@@ -185,9 +195,12 @@ private:
         descent_.displace(v, step, i + 2 < ITERATIONS ? SLACK : 0, TRIES);
       }
       descent_.sweep(patch.vertices, i + 1 < ITERATIONS ? SWEEPS : LAST_SWEEPS);
-      distances = measure(patch);
+      const double last = result.score;
+      result.distances = measure(patch);
+      result.score = score(patch, result.distances);
+      if (i > 0 && (result.score > PROMISING[i - 1] * best_score || result.score > SETTLED * last)) break;
     }
-    return distances;
+    return result;
   }
 
   // What is too far away, in target lengths, and what is out of the band or folded.
@@ -288,24 +301,23 @@ private:
       ++trials_;
       Patch patch = start;
       if (!apply(trial, spot, patch, false)) continue;
-      const Distances after = move_by_least_squares(patch, trial.kind == Kind::move ? before : measure(patch));
-      const double s = score(patch, after);
-      const bool is_better = s < best_score && !are_crossed(mesh_, grid_, patch.faces, marks_);
-      if (is_better) rest = {after.largest, found.length, after.farthest, {}};
-      if (is_better) outcome = after.largest < ACCEPTED * samples_.tolerance() ? Outcome::mended : Outcome::bettered;
+      const Result after = move_by_least_squares(patch, trial.kind == Kind::move ? before : measure(patch), best_score);
+      const bool is_better = after.score < best_score && !are_crossed(mesh_, grid_, patch.faces, marks_);
+      if (is_better) rest = {after.distances.largest, found.length, after.distances.farthest, {}};
+      if (is_better) outcome = after.distances.largest < ACCEPTED * samples_.tolerance() ? Outcome::mended : Outcome::bettered;
       if (outcome == Outcome::mended && (!context_.visitor.listens() || trial.kind != Kind::split)) return outcome;
       if (is_better && trial.kind != Kind::split) best_.take(mesh_, around);
       before_.restore(mesh_);
       if (!is_better) continue;
       best = trial;
-      best_score = s;
+      best_score = after.score;
       if (outcome == Outcome::mended) break;
     }
     if (outcome == Outcome::nothing) return outcome;
     if (best.kind != Kind::split) { best_.restore(mesh_); return outcome; }
     Patch patch = start;
     apply(best, spot, patch, true);
-    move_by_least_squares(patch, measure(patch));
+    move_by_least_squares(patch, measure(patch), std::numeric_limits<double>::infinity());
     return outcome;
   }
 
