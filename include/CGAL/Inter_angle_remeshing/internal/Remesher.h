@@ -12,6 +12,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/clean_up_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/coarse_levels.h>
 #include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
 #include <CGAL/Inter_angle_remeshing/internal/distance_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
 #include <CGAL/Inter_angle_remeshing/internal/face_count_pass.h>
@@ -71,8 +72,16 @@ private:
   static constexpr unsigned FIRST_GLIDES = 2;
   // Once an iteration does no more than one operation for so many faces, only the last ones are left to do.
   static constexpr std::size_t SETTLED = 1000;
+  // Edges that need more halvings than this are far too long to be flipped, or their ends to be moved.
+  static constexpr int FEW_HALVINGS = 4;
+  // A mesh of more than so many times the faces that its area asks for is coarsened in up to so many rounds, as long as each leaves
+  // less than this part of the faces.
+  static constexpr double TOO_DENSE = 1.2, COARSENED = 0.97;
+  static constexpr int MOST_COARSENINGS = 8;
   // Sweeps after the clean-up.
   static constexpr unsigned CLEAN_UP_SWEEPS = 3;
+  // More pairs of crossing faces than this part of the faces are many.
+  static constexpr double MANY_CROSSINGS = 0.005;
   // Sweeps on a level between the coarsest and the finest one.
   static constexpr unsigned LEVEL_SWEEPS = 3;
   // On the finest level the limits of the edge lengths are wider by this factor: fewer vertices become irregular.
@@ -110,18 +119,19 @@ private:
     return false;
   }
 
-  // Returns false, with everything as it was before, where that has left faces, or distances from curves, that the direct way
-  // would hardly leave.
+  // Returns false, with everything as it was before, where that has left faces, crossings, or distances from curves, that the direct
+  // way would hardly leave.
   bool succeeds_from_coarsest_level()
   {
     const Remeshing_mesh input = mesh_;
     const double target_length = context_.target_length;
     run_from_coarsest_level();
-    const bool is_poor = goes_on() && (leaves_curves<ConcurrencyTag>(context_) ||
+    const bool is_poor = goes_on() && (!is_at_finest_level() || leaves_curves<ConcurrencyTag>(context_) ||
                                        (has_poor_spots_ && has_poor_faces<ConcurrencyTag>(context_)));
     if (!is_poor && is_at_finest_level()) return true;
     mesh_ = input;
     context_.target_length = target_length;
+    if (is_poor) levels_ = 0;
     forget_what_was_done();
     return !is_poor;
   }
@@ -151,8 +161,20 @@ private:
     if (goes_on()) mend_valences();
     if (goes_on()) polish();
     for (Index v = 0; v < Index(mesh_.number_of_vertex_slots()); ++v) mesh_.remove_marks(v, Remeshing_mesh::HELD);
-    while (levels_ > 0 && goes_on()) go_to_finer_level();
+    while (levels_ > 0 && goes_on()) {
+      if (cuts_through_itself()) return;
+      go_to_finer_level();
+    }
     if (goes_on() && recipe_.clean_up) clean_up();
+  }
+
+  // Whether many more faces cross others than of the input do: the surface is too thin for edges of this level.
+  bool cuts_through_itself() const
+  {
+    const std::size_t pairs = crossing_faces<ConcurrencyTag>(mesh_).size(),
+                      few = std::size_t(MANY_CROSSINGS * double(mesh_.number_of_live_faces()));
+    if (pairs <= few || !context_.projector.has_faces()) return false;
+    return pairs > few + crossing_faces<ConcurrencyTag>(*context_.projector.surface).size();
   }
 
   void go_to_finer_level()
@@ -177,10 +199,14 @@ private:
     const std::size_t operations = number_of_operations();
     passes_ = 0;
     context_.visitor.start_iteration(i, mesh_);
-    if (split_and_collapse() > 0 && is_late()) refine();
+    const int halvings = halvings_to_do();
+    split_and_collapse();
+    if (is_late()) settle_lengths();
     order_elements();
-    flip(flip_rounds(), recipe_.glide_depth > 0 && (report_.iterations >= FIRST_GLIDES || is_late()));
-    if (goes_on()) relax();
+    if (is_late() || !is_only_to_be_split(halvings)) {
+      flip(flip_rounds(), recipe_.glide_depth > 0 && (report_.iterations >= FIRST_GLIDES || is_late()));
+      if (goes_on()) relax();
+    }
     context_.visitor.end_iteration(i, mesh_);
     const bool is_settled = number_of_operations() - operations <= mesh_.number_of_live_faces() / SETTLED;
     if (context_.target_length > 0 && is_settled && !is_late())
@@ -199,16 +225,35 @@ private:
   // More than one round pays only where splits and collapses no longer stir up the valences.
   unsigned flip_rounds() const { return is_late() ? recipe_.flip_rounds : (std::min)(1u, recipe_.flip_rounds); }
 
-  // An iteration halves edges. What is far too long even when the last iterations begin goes through as many short
-  // ones as it takes, so that those work on a mesh of about the target length. Each should halve the longest edge;
-  // where policies do not let it, the rounds end all the same.
-  void refine()
+  // An iteration halves edges, and merges a vertex with few of those around it. What is far too long or far too dense even when
+  // the last iterations begin goes through as many short ones as it takes, so that those work on a mesh of about the target
+  // length. Each should halve the longest edge, or take away faces; where policies do not let it, the rounds end all the same.
+  void settle_lengths()
   {
-    for (int round = halvings_to_do(); round > 0 && goes_on() && halvings_to_do() > 0; --round) {
+    int halvings = halvings_to_do();
+    for (int round = halvings + MOST_COARSENINGS; round > 0 && goes_on() && (halvings > 0 || is_too_dense()); --round) {
       flip(1, false);
       if (goes_on()) relax(recipe_.sweeps, Pull_back::after_last_sweep);
-      if (split_and_collapse() == 0) return;
+      const std::size_t faces = mesh_.number_of_live_faces(), splits = split_and_collapse();
+      if ((halvings == 0 || splits == 0) && double(mesh_.number_of_live_faces()) > COARSENED * double(faces)) return;
+      halvings = halvings_to_do();
     }
+  }
+
+  bool is_too_dense() const
+  {
+    return context_.target_length > 0 && !context_.collapse_rule.is_never() &&
+           double(mesh_.number_of_live_faces()) > TOO_DENSE * context_.grading.number_of_faces(mesh_, context_.target_length);
+  }
+
+  // Whether edges are so much too long that the input's own, halved, are better than what flips and sweeps would make of them: faces
+  // that long, turned a little, cut through what lies between them. `before` is halvings_to_do() before the last splits, which must
+  // have shortened the longest edges.
+  bool is_only_to_be_split(int before) const
+  {
+    if (before <= FEW_HALVINGS) return false;
+    const int now = halvings_to_do();
+    return now > FEW_HALVINGS && now < before;
   }
 
   // How often the longest edge must be halved until it is no longer far too long.

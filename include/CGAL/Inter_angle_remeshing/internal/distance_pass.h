@@ -40,9 +40,10 @@ class Distance_reducer
 
   // The surface is sampled around a spot within this many target lengths, and with every further ring so many more.
   static constexpr double PATCH_RADIUS = 1.7, RING = 0.5;
-  // A spot that a patch of one ring does not mend is tried again with a larger one, and with splits; if that betters it, once more
-  // with one ring where it is farthest away then.
+  // A spot that a patch of one ring does not mend is tried again with a larger one, and with splits; if what is left is less than
+  // this part of it, it is another spot.
   static constexpr int MOST_RINGS = 2;
+  static constexpr double BETTERED = 0.95;
   // Least squares end with the first part of the tolerance, and no more is tried with the second one.
   static constexpr double GOOD = Distance_samples::GOOD, ACCEPTED = 0.95;
   // Least squares: their number, damping, regularisation, and the weight of a sample that is right: the others count by the
@@ -83,23 +84,28 @@ public:
   std::size_t run()
   {
     std::size_t changes = 0;
-    std::vector<Spot> bettered;
-    for (const Spot& spot : Far_spot_finder(context_, samples_, grid_).find(most_trials_)) {
-      Outcome outcome = Outcome::nothing;
+    std::vector<Spot> spots = Far_spot_finder(context_, samples_, grid_).find(most_trials_);
+    std::make_heap(spots.begin(), spots.end(), is_nearer);
+    while (!spots.empty() && trials_ < most_trials_) {
+      std::pop_heap(spots.begin(), spots.end(), is_nearer);
+      const Spot spot = spots.back();
+      spots.pop_back();
       Spot rest = spot;
+      Outcome outcome = Outcome::nothing;
       for (int rings = 1; rings <= MOST_RINGS && outcome != Outcome::mended && trials_ < most_trials_; ++rings)
         outcome = (std::max)(outcome, mend(spot, rings, rest));
       changes += outcome != Outcome::nothing;
-      if (outcome == Outcome::bettered) bettered.push_back(rest);
-    }
-    for (const Spot& spot : bettered) {
-      Spot rest = spot;
-      if (trials_ < most_trials_) mend(spot, 1, rest);
+      if (outcome == Outcome::bettered && rest.distance < BETTERED * spot.distance) {
+        spots.push_back(rest);
+        std::push_heap(spots.begin(), spots.end(), is_nearer);
+      }
     }
     return changes;
   }
 
 private:
+  static bool is_nearer(const Spot& a, const Spot& b) { return a.distance / a.length < b.distance / b.length; }
+
   // The vertices that move, and what pulls them.
   struct Patch
   {

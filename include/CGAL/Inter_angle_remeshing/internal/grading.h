@@ -44,6 +44,20 @@ public:
     if (has_field()) set(field_, vertex, field_part(u, v));
   }
 
+  // The number of equilateral faces that have the area of the mesh, each with edges of the least length at the corners of the face
+  // where it lies.
+  double number_of_faces(const Remeshing_mesh& mesh, double target_length) const
+  {
+    double result = 0;
+    for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) {
+      if (!mesh.is_face(f)) continue;
+      const auto& v = mesh.face_record(f).vertex;
+      const double l = target_length * (std::min)({part(v[0]), part(v[1]), part(v[2])});
+      result += 2 / std::sqrt(3.) * length(triangle_cross(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]))) / (l * l);
+    }
+    return result;
+  }
+
   // Takes the parts of all vertices from the field, or 1 where it is uniform; see `sink()` for the curves.
   template <class ConcurrencyTag>
   void read(const Remeshing_mesh& mesh, const Sizing& sizing, const Input_locator* locator, double target_length)
@@ -106,14 +120,7 @@ private:
   // A function of the position may be far smaller between the vertices of the input than there.
   void check_number_of_faces(const Remeshing_mesh& mesh, double target_length) const
   {
-    double count = 0;
-    for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) {
-      if (!mesh.is_face(f)) continue;
-      const auto& v = mesh.face_record(f).vertex;
-      const double l = target_length * (std::min)({part(v[0]), part(v[1]), part(v[2])});
-      count += 2 / std::sqrt(3.) * length(triangle_cross(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]))) / (l * l);
-    }
-    if (!(count <= MAXIMUM_NUMBER_OF_FACES)) refuse_too_small_field();
+    if (!(number_of_faces(mesh, target_length) <= MAXIMUM_NUMBER_OF_FACES)) refuse_too_small_field();
   }
 
   // Lowers the parts beside the vertices of the queue that rise faster than by `rate` over a unit of length, as far as
