@@ -415,6 +415,50 @@ void crossing_faces_are_parted()
   }
 }
 
+// Needles take many splits and collapses; a shaft of a few long facets, many splits. Neither takes more iterations, nor does what is
+// long cut through the surface before it is short.
+void a_few_iterations_are_enough_for_needles_and_long_facets()
+{
+  using Profile = std::vector<std::array<double, 2>>;
+  constexpr double PI = 3.14159265358979323846;
+  Profile meridian, ring;
+  for(int i = 0; i <= 8; ++i)
+  {
+    const double t = PI * std::min(std::max(i / 8., .01), .99);
+    meridian.push_back({std::sin(t), -std::cos(t)});
+  }
+  for(int i = 0; i < 26; ++i)
+  {
+    const double t = 2 * PI * i / 26;
+    ring.push_back({.9 + .1 * std::cos(t), i < 13 ? 6 + .1 * std::sin(t) : .1 * std::sin(t)});
+  }
+  const meshes::Soup ball = meshes::turned(meridian, 400, false), tube = meshes::turned(ring, 48, true),
+                     shaft = meshes::turned({{1, 0}, {1, 20}}, 16, false);
+  struct Case
+  {
+    const char* name;
+    const meshes::Soup& soup;
+    double faces;
+    unsigned iterations;
+  };
+  for(const Case& c : {Case{"ball", ball, 5000, 1}, {"ball", ball, 5000, 2}, {"tube", tube, 5000, 1}, {"tube", tube, 5000, 3},
+                       {"shaft", shaft, 100000, 10}, {"shaft", shaft, 5000, 1}})
+  {
+    if(meshes::is_small_run() && (c.iterations > 1 || c.soup.faces.size() > 2000))
+      continue;
+    Mesh m = meshes::to_mesh<Mesh>(c.soup);
+    const Mesh input = m;
+    const double length = std::sqrt(4 / std::sqrt(3.) * PMP::area(m) / c.faces);
+    IAR::isotropic_remeshing(faces(m), length, m, CGAL::parameters::number_of_iterations(c.iterations));
+    const auto angles = IAR::inter_angle_statistics(m);
+    const std::string what = std::string(c.name) + ", " + std::to_string(c.iterations) + " iterations: ";
+    CHECK_MESSAGE(angles.minimum_angle > 25 && angles.maximum_angle < 115, what << angles.minimum_angle << ".." << angles.maximum_angle);
+    CHECK_MESSAGE(double(angles.number_of_faces) < 1.3 * c.faces, what << angles.number_of_faces);
+    CHECK_MESSAGE(!does_self_intersect(m), what);
+    CHECK_MESSAGE(IAR::surface_distance(input, m).hausdorff() < length, what << IAR::surface_distance(input, m).hausdorff() / length);
+  }
+}
+
 // All pairs of crossing faces are found, where these are of one size, where a few are a thousand times as large, and where all lie in
 // one plane, beside each other, touching, or overlapping.
 void all_crossing_faces_are_found()
@@ -990,6 +1034,7 @@ int main(int argc, char* argv[])
   the_repair_reaches_the_band();
   large_distances_are_lowered();
   crossing_faces_are_parted();
+  a_few_iterations_are_enough_for_needles_and_long_facets();
   all_crossing_faces_are_found();
   settled_meshes_end_early();
   angles_are_better_than_those_of_polygon_mesh_processing();
