@@ -43,9 +43,8 @@ constexpr int STEP_TRIALS = 3;
 // of the length that it has in an equilateral triangle of the star's mean area, turns no face. In terms of the faces'
 // cross products c, the square of the altitude is |c_min|² / (2/√3 mean |c|).
 constexpr double SAFE_STEP = 0.75;
-// λ of a slide, the largest part of the way to the next vertex of the curve that it takes, and the part of the way between both its
-// neighbors there that is worth one.
-constexpr double SLIDE_RELAXATION = 1.3, LONGEST_SLIDE = 0.6, SHORTEST_SLIDE = 0.02;
+// λ of a slide, and the largest part of the way to the next vertex of the curve that it takes.
+constexpr double SLIDE_RELAXATION = 1.3, LONGEST_SLIDE = 0.6;
 
 // When vertices are pulled back onto the surface; guarded steps always are.
 enum class Pull_back { never, after_last_sweep };
@@ -366,7 +365,6 @@ inline void Relaxation::slide(std::size_t i)
   const double l = length(along);
   if (!(l > 0)) return;
   const double wanted = SLIDE_RELAXATION * dot(to_uniform_centre(i), along) / l;
-  if (std::abs(wanted) < SHORTEST_SLIDE * l) return;
   double shift = (std::min)(LONGEST_SLIDE * high, (std::max)(LONGEST_SLIDE * low, wanted));
   for (int trial = 0; trial < STEP_TRIALS; ++trial, shift /= 2) {
     const Vector3 q = curves_.point(curve, t + shift);
