@@ -199,11 +199,12 @@ private:
     const std::size_t operations = number_of_operations();
     passes_ = 0;
     context_.visitor.start_iteration(i, mesh_);
-    const int halvings = halvings_to_do();
+    const int halvings = i == 0 || is_only_split_ ? halvings_to_do() : 0;
     split_and_collapse();
+    is_only_split_ = is_only_to_be_split(halvings);
     if (is_late()) settle_lengths();
     order_elements();
-    if (is_late() || !is_only_to_be_split(halvings)) {
+    if (is_late() || !is_only_split_) {
       flip(flip_rounds(), recipe_.glide_depth > 0 && (report_.iterations >= FIRST_GLIDES || is_late()));
       if (goes_on()) relax();
     }
@@ -481,6 +482,7 @@ private:
   bool has_poor_spots_ = false;          // of which the spots' own iterations did not get the better
   unsigned passes_ = 0;                  // done in this iteration, or on this level
   double progress_ = 0;
+  bool is_only_split_ = false;           // in this iteration
   std::size_t wanted_faces_;             // on this level
   std::size_t operations_in_order_ = 0;  // splits and collapses before the last ordering
   bool is_refined_ = false;              // by so much that the number of faces is not steered
