@@ -76,7 +76,7 @@ private:
   static constexpr int FEW_HALVINGS = 4;
   // A mesh of more than so many times the faces that its area asks for is coarsened in up to so many rounds, as long as each leaves
   // less than this part of the faces.
-  static constexpr double TOO_DENSE = 1.2, COARSENED = 0.97;
+  static constexpr double TOO_DENSE = 1.5, COARSENED = 0.97;
   static constexpr int MOST_COARSENINGS = 8;
   // Sweeps after the clean-up.
   static constexpr unsigned CLEAN_UP_SWEEPS = 3;
@@ -202,7 +202,7 @@ private:
     const int halvings = i == 0 || is_only_split_ ? halvings_to_do() : 0;
     split_and_collapse();
     is_only_split_ = is_only_to_be_split(halvings);
-    if (is_late()) settle_lengths();
+    if (is_late() && number_of_operations() > operations) settle_lengths();
     order_elements();
     if (is_late() || !is_only_split_) {
       flip(flip_rounds(), recipe_.glide_depth > 0 && (report_.iterations >= FIRST_GLIDES || is_late()));

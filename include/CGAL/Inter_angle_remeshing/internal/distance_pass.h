@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -40,10 +39,9 @@ class Distance_reducer
 
   // The surface is sampled around a spot within this many target lengths, and with every further ring so many more.
   static constexpr double PATCH_RADIUS = 1.7, RING = 0.5;
-  // A spot that a patch of one ring does not mend is tried again with a larger one, and with splits; if what is left is less than
-  // this part of it, it is another spot.
+  // A spot that a patch of one ring does not mend is tried again with a larger one, and with splits; if that betters it, once more
+  // with one ring where it is farthest away then.
   static constexpr int MOST_RINGS = 2;
-  static constexpr double BETTERED = 0.95;
   // Least squares end with the first part of the tolerance, and no more is tried with the second one.
   static constexpr double GOOD = Distance_samples::GOOD, ACCEPTED = 0.95;
   // Least squares: their number, damping, regularisation, and the weight of a sample that is right: the others count by the
@@ -52,8 +50,6 @@ class Distance_reducer
   static constexpr double STEP = 0.8, REGULAR = 0.05, LEAST_WEIGHT = 0.01, LONGEST = 0.25;
   // By how much the energy of angles may rise in the first iterations: a degree too much.
   static constexpr double SLACK = 1.5e-4;
-  // They end early where the score after the second, third ... is so many times the best one, or hardly lower than the last.
-  static constexpr double PROMISING[] = {2, 1.2, 1.1, 1}, SETTLED = 0.99;
   // A trial must lower the score by so much; a degree out of the band counts as half a target length.
   static constexpr double NOTICEABLE = 0.03, DEGREE = 0.5, TOUCH = 0.05;
   // The pass ends after so many trials and one more for so many faces: a trial takes as long as 80 faces of the run.
@@ -84,28 +80,23 @@ public:
   std::size_t run()
   {
     std::size_t changes = 0;
-    std::vector<Spot> spots = Far_spot_finder(context_, samples_, grid_).find(most_trials_);
-    std::make_heap(spots.begin(), spots.end(), is_nearer);
-    while (!spots.empty() && trials_ < most_trials_) {
-      std::pop_heap(spots.begin(), spots.end(), is_nearer);
-      const Spot spot = spots.back();
-      spots.pop_back();
-      Spot rest = spot;
+    std::vector<Spot> bettered;
+    for (const Spot& spot : Far_spot_finder(context_, samples_, grid_).find(most_trials_)) {
       Outcome outcome = Outcome::nothing;
+      Spot rest = spot;
       for (int rings = 1; rings <= MOST_RINGS && outcome != Outcome::mended && trials_ < most_trials_; ++rings)
         outcome = (std::max)(outcome, mend(spot, rings, rest));
       changes += outcome != Outcome::nothing;
-      if (outcome == Outcome::bettered && rest.distance < BETTERED * spot.distance) {
-        spots.push_back(rest);
-        std::push_heap(spots.begin(), spots.end(), is_nearer);
-      }
+      if (outcome == Outcome::bettered) bettered.push_back(rest);
+    }
+    for (const Spot& spot : bettered) {
+      Spot rest = spot;
+      if (trials_ < most_trials_) mend(spot, 1, rest);
     }
     return changes;
   }
 
 private:
-  static bool is_nearer(const Spot& a, const Spot& b) { return a.distance / a.length < b.distance / b.length; }
-
   // The vertices that move, and what pulls them.
   struct Patch
   {
@@ -181,17 +172,10 @@ private:
     return result;
   }
 
-  struct Result
+  // Starts from these distances, and returns those afterwards.
+  Distances move_by_least_squares(Patch& patch, Distances distances)
   {
-    Distances distances;
-    double score;
-  };
-
-  // Starts from these distances, and ends where it gets no better, or will not reach `best_score`.
-  Result move_by_least_squares(Patch& patch, const Distances& before, double best_score)
-  {
-    Result result{before, score(patch, before)};
-    for (int i = 0; i < ITERATIONS && result.distances.largest > GOOD * samples_.tolerance(); ++i) {
+    for (int i = 0; i < ITERATIONS && distances.largest > GOOD * samples_.tolerance(); ++i) {
       for (std::size_t k = 0; k < patch.vertices.size(); ++k) {
         const Index v = patch.vertices[k];
         if (!mesh_.is_free(v) || !(patch.weight[k] > 0)) continue;
@@ -201,12 +185,9 @@ private:
         descent_.displace(v, step, i + 2 < ITERATIONS ? SLACK : 0, TRIES);
       }
       descent_.sweep(patch.vertices, i + 1 < ITERATIONS ? SWEEPS : LAST_SWEEPS);
-      const double last = result.score;
-      result.distances = measure(patch);
-      result.score = score(patch, result.distances);
-      if (i > 0 && (result.score > PROMISING[i - 1] * best_score || result.score > SETTLED * last)) break;
+      distances = measure(patch);
     }
-    return result;
+    return distances;
   }
 
   // What is too far away, in target lengths, and what is out of the band or folded.
@@ -307,23 +288,24 @@ private:
       ++trials_;
       Patch patch = start;
       if (!apply(trial, spot, patch, false)) continue;
-      const Result after = move_by_least_squares(patch, trial.kind == Kind::move ? before : measure(patch), best_score);
-      const bool is_better = after.score < best_score && !are_crossed(mesh_, grid_, patch.faces, marks_);
-      if (is_better) rest = {after.distances.largest, found.length, after.distances.farthest, {}};
-      if (is_better) outcome = after.distances.largest < ACCEPTED * samples_.tolerance() ? Outcome::mended : Outcome::bettered;
+      const Distances after = move_by_least_squares(patch, trial.kind == Kind::move ? before : measure(patch));
+      const double s = score(patch, after);
+      const bool is_better = s < best_score && !are_crossed(mesh_, grid_, patch.faces, marks_);
+      if (is_better) rest = {after.largest, found.length, after.farthest, {}};
+      if (is_better) outcome = after.largest < ACCEPTED * samples_.tolerance() ? Outcome::mended : Outcome::bettered;
       if (outcome == Outcome::mended && (!context_.visitor.listens() || trial.kind != Kind::split)) return outcome;
       if (is_better && trial.kind != Kind::split) best_.take(mesh_, around);
       before_.restore(mesh_);
       if (!is_better) continue;
       best = trial;
-      best_score = after.score;
+      best_score = s;
       if (outcome == Outcome::mended) break;
     }
     if (outcome == Outcome::nothing) return outcome;
     if (best.kind != Kind::split) { best_.restore(mesh_); return outcome; }
     Patch patch = start;
     apply(best, spot, patch, true);
-    move_by_least_squares(patch, measure(patch), std::numeric_limits<double>::infinity());
+    move_by_least_squares(patch, measure(patch));
     return outcome;
   }
 

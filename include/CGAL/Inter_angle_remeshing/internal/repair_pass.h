@@ -303,53 +303,39 @@ private:
     return touched;
   }
 
-  struct Trial
-  {
-    Operation operation;
-    double gain = 0;                     // how much less is bad afterwards
-    bool is_noticeable = false;
-    bool mends_all = false;              // nothing around is bad then
-  };
-
-  // Tries the operation with so many sweeps, for the sake of face f; all is undone.
-  Trial attempt(const Operation& operation, int sweeps, Index f)
+  // How much less is bad after the operation and so many sweeps; all is undone.
+  double gain(const Operation& operation, int sweeps)
   {
     const std::vector<Index> around = ball(mesh_, ends_and_apexes(mesh_, operation.halfedge), 1, marks_);
-    if (around.size() > LARGEST_REGION) return {operation};
+    if (around.size() > LARGEST_REGION) return 0;
     ++trials();
     snapshot_.take(mesh_, around);
-    const auto& faces = snapshot_.faces();
-    const bool is_around = std::find(faces.begin(), faces.end(), f) != faces.end();
-    const double before = score(faces);
+    const double before = score(snapshot_.faces());
     const std::vector<Index> moving = ball(mesh_, apply(operation), 1, marks_);
     descent_.sweep(moving, sweeps);
     const double after = score(faces_around(mesh_, moving));
     snapshot_.restore(mesh_);
-    return {operation, before - after, before - after > NOTICEABLE * before, is_around && after == 0};
+    return before - after > NOTICEABLE * before ? before - after : 0;
   }
 
-  // A few sweeps tell which operations are promising, many more which of these is the best. One that leaves nothing bad is as good
-  // as any.
+  // A few sweeps tell which operations are promising, many more which of these is the best.
   Operation best_operation(Index f)
   {
     if (fault_ == Fault::crossing) {
       const auto& corner = mesh_.face_record(f).vertex;
       near_ = faces_near(mesh_, *grid_, faces_around(mesh_, ball(mesh_, {corner[0], corner[1], corner[2]}, REACH, marks_)), marks_);
     }
-    std::vector<Trial> promising;
-    for (const Operation& operation : operations(f)) {
-      if (trials() > most_trials() || !is_allowed(operation)) continue;
-      promising.push_back(attempt(operation, FIRST_SWEEPS, f));
-      if (promising.back().mends_all) return operation;
-    }
+    std::vector<std::pair<double, Operation>> promising;
+    for (const Operation& operation : operations(f))
+      if (trials() <= most_trials() && is_allowed(operation))
+        promising.emplace_back(gain(operation, FIRST_SWEEPS), operation);
     const std::size_t n = (std::min)(promising.size(), fault_ == Fault::crossing ? CROSSING_FINALISTS : FINALISTS);
-    std::stable_sort(promising.begin(), promising.end(), [](const Trial& a, const Trial& b) { return a.gain > b.gain; });
-    Trial best;
-    for (std::size_t i = 0; i < n && !best.mends_all; ++i) {
-      const Trial trial = attempt(promising[i].operation, SWEEPS, f);
-      if (trial.is_noticeable && trial.gain > best.gain) best = trial;
-    }
-    return best.operation;
+    const auto is_better = [](const auto& a, const auto& b) { return a.first > b.first; };
+    std::stable_sort(promising.begin(), promising.end(), is_better);
+    promising.resize(n);
+    for (auto& p : promising) p.first = gain(p.second, SWEEPS);
+    const auto best = std::min_element(promising.begin(), promising.end(), is_better);
+    return best != promising.end() && best->first > 0 ? best->second : Operation();
   }
 
   void commit(const Operation& operation)
