@@ -210,9 +210,36 @@ inline Soup torus(std::size_t along, std::size_t around, double r)
   return soup;
 }
 
-// Radii and heights turned around the z axis in n steps, the outer side to the right of their order: faces as long as the profile's
+// Radii and heights.
+using Profile = std::vector<std::array<double, 2>>;
+
+// Part of a circle around (r, z), from and to multiples of π.
+inline Profile arc(double r, double z, double radius, double from, double to, int steps)
+{
+  Profile result;
+  for(int k = 0; k <= steps; ++k)
+  {
+    const double t = (from + (to - from) * k / steps) * 3.14159265358979323846;
+    result.push_back({r + radius * std::cos(t), z + radius * std::sin(t)});
+  }
+  return result;
+}
+
+inline Profile joined(Profile a, const Profile& b)
+{
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+// A wall around the z axis, .2 thick, 6 high, with round ends.
+inline Profile wall_with_round_ends()
+{
+  return joined(arc(.9, 6, .1, 0, 1, 12), arc(.9, 0, .1, 1, 2, 12));
+}
+
+// A profile turned around the z axis in n steps, the outer side to the right of their order: faces as long as the profile's
 // edges. A profile that is not closed ends in fans from one vertex.
-inline Soup turned(const std::vector<std::array<double, 2>>& profile, std::size_t n, bool is_closed)
+inline Soup turned(const Profile& profile, std::size_t n, bool is_closed)
 {
   Soup soup;
   for(const auto& [r, z] : profile)

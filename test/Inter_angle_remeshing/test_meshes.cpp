@@ -419,20 +419,8 @@ void crossing_faces_are_parted()
 // long cut through the surface before it is short.
 void a_few_iterations_are_enough_for_needles_and_long_facets()
 {
-  using Profile = std::vector<std::array<double, 2>>;
-  constexpr double PI = 3.14159265358979323846;
-  Profile meridian, ring;
-  for(int i = 0; i <= 8; ++i)
-  {
-    const double t = PI * std::min(std::max(i / 8., .01), .99);
-    meridian.push_back({std::sin(t), -std::cos(t)});
-  }
-  for(int i = 0; i < 26; ++i)
-  {
-    const double t = 2 * PI * i / 26;
-    ring.push_back({.9 + .1 * std::cos(t), i < 13 ? 6 + .1 * std::sin(t) : .1 * std::sin(t)});
-  }
-  const meshes::Soup ball = meshes::turned(meridian, 400, false), tube = meshes::turned(ring, 48, true),
+  const meshes::Soup ball = meshes::turned(meshes::arc(0, 0, 1, -.49, .49, 8), 400, false),
+                     tube = meshes::turned(meshes::wall_with_round_ends(), 48, true),
                      shaft = meshes::turned({{1, 0}, {1, 20}}, 16, false);
   struct Case
   {
@@ -444,7 +432,7 @@ void a_few_iterations_are_enough_for_needles_and_long_facets()
   for(const Case& c : {Case{"ball", ball, 5000, 1}, {"ball", ball, 5000, 2}, {"tube", tube, 5000, 1}, {"tube", tube, 5000, 3},
                        {"shaft", shaft, 100000, 10}, {"shaft", shaft, 5000, 1}})
   {
-    if(meshes::is_small_run() && (c.iterations > 1 || c.soup.faces.size() > 2000))
+    if(meshes::is_small_run() && (c.iterations > 1 || c.soup.faces.size() > SMALL))
       continue;
     Mesh m = meshes::to_mesh<Mesh>(c.soup);
     const Mesh input = m;

@@ -604,20 +604,10 @@ void a_coarse_mesh_becomes_a_fine_surface()
 // says nothing about the straight part.
 void long_facets_stay_straight()
 {
-  using Profile = std::vector<std::array<double, 2>>;
-  const auto arc = [](double r, double z, double radius, double from, double to, int steps) {
-    Profile result;
-    for(int k = 0; k <= steps; ++k)
-    {
-      const double t = (from + (to - from) * k / steps) * CGAL_PI;
-      result.push_back({r + radius * std::cos(t), z + radius * std::sin(t)});
-    }
-    return result;
-  };
-  const auto append = [](Profile a, const Profile& b) { a.insert(a.end(), b.begin(), b.end()); return a; };
+  using meshes::arc;
   constexpr double TINY = 1e-3;                // the poles are small polygons
-  const Profile capsule = append(arc(TINY, 0, 1, -.5, 0, 7), arc(TINY, 12, 1, 0, .5, 7));
-  const Profile tube = append(arc(.9, 6, .1, 0, 1, 12), arc(.9, 0, .1, 1, 2, 12));
+  const meshes::Profile capsule = meshes::joined(arc(TINY, 0, 1, -.5, 0, 7), arc(TINY, 12, 1, 0, .5, 7)),
+                        tube = meshes::wall_with_round_ends();
   for(const std::size_t n : {12, 32, 64})
     for(const double length : {.25, .12})
     {

@@ -80,8 +80,8 @@ private:
   static constexpr int MOST_COARSENINGS = 8;
   // Sweeps after the clean-up.
   static constexpr unsigned CLEAN_UP_SWEEPS = 3;
-  // More pairs of crossing faces than this part of the faces are many.
-  static constexpr double MANY_CROSSINGS = 0.005;
+  // As many pairs of crossing faces, for so many faces, are still parted on the finest level.
+  static constexpr double FEW_CROSSINGS = 0.005;
   // Sweeps on a level between the coarsest and the finest one.
   static constexpr unsigned LEVEL_SWEEPS = 3;
   // On the finest level the limits of the edge lengths are wider by this factor: fewer vertices become irregular.
@@ -168,13 +168,13 @@ private:
     if (goes_on() && recipe_.clean_up) clean_up();
   }
 
-  // Whether many more faces cross others than of the input do: the surface is too thin for edges of this level.
+  // Whether many more faces cross others than of the surface do: it is too thin for edges of this level.
   bool cuts_through_itself() const
   {
-    const std::size_t pairs = crossing_faces<ConcurrencyTag>(mesh_).size(),
-                      few = std::size_t(MANY_CROSSINGS * double(mesh_.number_of_live_faces()));
-    if (pairs <= few || !context_.projector.has_faces()) return false;
-    return pairs > few + crossing_faces<ConcurrencyTag>(*context_.projector.surface).size();
+    if (!context_.projector.has_faces()) return false;
+    const std::size_t few = std::size_t(FEW_CROSSINGS * double(mesh_.number_of_live_faces())),
+                      pairs = crossing_faces<ConcurrencyTag>(mesh_).size();
+    return pairs > few && pairs > few + crossing_faces<ConcurrencyTag>(*context_.projector.surface).size();
   }
 
   void go_to_finer_level()
