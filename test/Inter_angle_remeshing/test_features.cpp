@@ -894,6 +894,17 @@ void the_energy_of_angles_has_its_gradient()
   }
 }
 
+// A vertex pushed over its neighbor makes sharp edges where there was none, which say nothing about the sphere.
+void a_fold_is_no_feature()
+{
+  Mesh m = meshes::to_mesh<Mesh>(meshes::sphere(4));
+  const auto h = *m.halfedges().begin();
+  m.point(m.source(h)) = m.point(m.target(h)) + .3 * (m.point(m.target(h)) - m.point(m.source(h)));
+  const auto report = IAR::isotropic_remeshing(.06, m);
+  CHECK_MESSAGE(report.features == Features::none, report.feature_edges);
+  CHECK(report.crossing_faces == 0);
+}
+
 int main()
 {
   coarser_runs_find_no_more();
@@ -904,6 +915,7 @@ int main()
   cylinders_of_few_facets_are_cad_models();
   of_two_sides_of_a_narrow_strip_one_is_a_feature();
   organic_models_have_next_to_none();
+  a_fold_is_no_feature();
   noise_hides_no_edge_and_makes_none();
   a_range_and_other_types_will_do();
   cad_models_keep_their_features();

@@ -47,10 +47,11 @@ public:
     return result;
   }
 
-  void drop_short_components(double least_length)
+  // Those that are shorter and have fewer edges.
+  void drop_short_components(double least_length, std::size_t least_edges = (std::numeric_limits<std::size_t>::max)())
   {
     for (const std::vector<Index>& component : components())
-      if (length_of(component) < least_length * length_) drop(component);
+      if (component.size() < least_edges && length_of(component) < least_length * length_) drop(component);
   }
 
   // Keeps chains that lead somewhere, in components that are long, sharp, and not a tangle, and of two chains side by side

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -62,6 +63,10 @@ private:
   static constexpr int BILATERAL_PASSES = 5;
   static constexpr double NORMAL_DEVIATION = 0.35;      // σ of the filter's weights, as a distance of unit normals
   static constexpr double LEAST_CANDIDATE_LENGTH = 4;   // of connected candidates, in lengths
+  // Sharp edges that hang together are long with so many edge lengths, with this part of the root of the area, or as a ring of so
+  // many edges, between which there are no sharp ones.
+  static constexpr double LONG_COMPONENT = 8, LONG_PART = 0.25;
+  static constexpr std::size_t LONG_RING = 9;
   static constexpr double NARROW = 0.05;                // strip, in lengths
   static constexpr int RINGS = 2;                       // around candidates that are filtered
 
@@ -118,7 +123,8 @@ private:
   }
 
   // CAD models have sharp edges and flat ones, and few in between; or these are between planar polygons, as on cylinders, cones
-  // and other surfaces of revolution of few facets.
+  // and other surfaces of revolution of few facets. A few sharp edges beside each other, as around a vertex that is folded over, are
+  // no feature of a part.
   void look_at_edges()
   {
     const double sharp = cosine_of(CAD_ANGLE), mild = cosine_of(MILD_ANGLE), flat = cosine_of(FLAT_ANGLE),
@@ -135,8 +141,22 @@ private:
       (c <= sharp ? of_sharp : of_mild) += l;
       if (c > sharp && is_in_polygon(h) && is_in_polygon(mesh_.opposite(h))) of_facets += l;
     });
-    is_cad_ = of_mild < 0.5 * of_sharp || (of_mild < 1.1 * of_sharp && 2 * flat_edges > edges) ||
-              of_mild - of_facets < 0.2 * of_sharp;
+    const auto is_cad_with = [&](double length) {
+      return of_mild < 0.5 * length || (of_mild < 1.1 * length && 2 * flat_edges > edges) || of_mild - of_facets < 0.2 * length;
+    };
+    is_cad_ = is_cad_with(of_sharp) && is_cad_with(length_in_long_components(sharp_edges(CAD_ANGLE)));
+  }
+
+  // The length of these edges in components that are long beside the edges of the mesh, or beside the model.
+  double length_in_long_components(const std::vector<Index>& edges) const
+  {
+    const double area = std::accumulate(area_.begin(), area_.end(), 0.) / 2;
+    Feature_graph graph(mesh_, own_length_);
+    for (const Index h : edges) graph.add(h, 0);
+    graph.drop_short_components((std::min)(LONG_COMPONENT, LONG_PART * std::sqrt(area) / own_length_), LONG_RING);
+    double sum = 0;
+    for (const Index h : graph.edges()) sum += std::sqrt(mesh_.squared_edge_length(h));
+    return sum;
   }
 
   // Of these edges, those that form chains and components that are features at the scale of the length.
