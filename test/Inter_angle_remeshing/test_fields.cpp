@@ -328,6 +328,22 @@ void fields_of_polygon_mesh_processing_are_taken()
 
 // --- what is refused ---------------------------------------------------------------------------------------------
 
+// Lengths that all but vanish at a point, as towards the tip of a crack, need few faces: as many in a ring of half the size.
+void lengths_may_vanish_at_a_point()
+{
+  const Mesh input = meshes::to_mesh<Mesh>(meshes::sphere(2));
+  const Point tip = input.point(*input.vertices().begin());
+  for(const double least : {1e-3, 1e-5})
+  {
+    if(meshes::is_small_run() && least < 1e-3)
+      continue;
+    Mesh m = input;
+    IAR::isotropic_remeshing([&](const Point& p) { return (std::max)(least, .4 * std::sqrt(CGAL::squared_distance(p, tip))); }, m);
+    CHECK(CGAL::is_valid_polygon_mesh(m));
+    CHECK_MESSAGE(m.number_of_faces() > input.number_of_faces() && m.number_of_faces() < 4000, least << ": " << m.number_of_faces());
+  }
+}
+
 void bad_lengths_are_refused()
 {
   const Mesh input = meshes::to_mesh<Mesh>(meshes::sphere(2));
@@ -631,6 +647,7 @@ int main()
 #if CGAL_VERSION_NR >= 1060000000
   fields_of_polygon_mesh_processing_are_taken();
 #endif
+  lengths_may_vanish_at_a_point();
   bad_lengths_are_refused();
   curves_follow_the_field();
   scalars_are_interpolated();

@@ -715,6 +715,11 @@ void without_relaxation_steps_nothing_is_relaxed()
                                                           .number_of_iterations(3).visitor(std::ref(w)));
   CHECK(w.moves == 0 && w.passes[IAR::Pass::relax] == 0 && w.passes[IAR::Pass::polish] == 0);
   CHECK(report.splits > 0);
+  // Nothing widens what a flip leaves thin.
+  Mesh sphere = meshes::to_mesh<Mesh>(meshes::sphere(3));
+  const Report flipped = IAR::isotropic_remeshing(.07, sphere, parameters::number_of_relaxation_steps(0).number_of_iterations(3));
+  CHECK(flipped.flips > 0);
+  CHECK_MESSAGE(flipped.angles_after.minimum > 5, flipped.angles_after.minimum);
 }
 
 void with_length_0_nothing_is_split_or_collapsed()

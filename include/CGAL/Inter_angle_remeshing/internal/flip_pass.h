@@ -30,6 +30,17 @@ inline int flip_gain(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
                   sector_deviation(mesh, h) - sector_deviation(mesh, o));
 }
 
+// Whether a flip makes the smallest angle of the two faces at once thin and smaller than it was.
+inline bool makes_thin_angle_by_flip(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh::Index o = mesh.opposite(h);
+  const Vector3 &a = mesh.position(mesh.origin(h)), &b = mesh.position(mesh.origin(o)), &c = mesh.position(mesh.apex(h)),
+                &d = mesh.position(mesh.apex(o));
+  return makes_thin_angle(
+    (std::min)(squared_sine_of_smallest_angle(a, b, c), squared_sine_of_smallest_angle(b, a, d)),
+    (std::min)(squared_sine_of_smallest_angle(a, d, c), squared_sine_of_smallest_angle(d, b, c)));
+}
+
 inline bool is_flip_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
   const Remeshing_mesh::Index o = mesh.opposite(h);
@@ -45,9 +56,7 @@ inline bool is_flip_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
   };
   if ((mesh.is_on_curve_edge(mesh.prev(h)) && is_wide(a, c, d, mesh.next(o))) ||
       (mesh.is_on_curve_edge(mesh.next(h)) && is_wide(b, c, d, mesh.prev(o)))) return false;
-  return !makes_thin_angle(
-    (std::min)(squared_sine_of_smallest_angle(a, b, c), squared_sine_of_smallest_angle(b, a, d)),
-    (std::min)(squared_sine_of_smallest_angle(a, d, c), squared_sine_of_smallest_angle(d, b, c)));
+  return !makes_thin_angle_by_flip(mesh, h);
 }
 
 // Whether a flip of the edge of h makes a face that turns its back on the surface, where neither of the two did. Where
@@ -67,11 +76,12 @@ inline bool makes_fold_by_flip(const Remeshing_context& context, Remeshing_mesh:
          !context.is_turned_over(a, b, c) && !context.is_turned_over(b, a, d);
 }
 
+// Where no sweep follows, thin faces would stay.
 inline bool is_flip_allowed(const Remeshing_context& context, Remeshing_mesh::Index h, bool is_transient)
 {
   const Remeshing_mesh& mesh = context.mesh;
   return mesh.is_flip_legal(h) && is_flip_fit(mesh, h) && !makes_fold_by_flip(context, h) &&
-         context.permits_flip(h, is_transient);
+         (context.recipe.sweeps > 0 || !makes_thin_angle_by_flip(mesh, h)) && context.permits_flip(h, is_transient);
 }
 
 inline void flip(Remeshing_context& context, Remeshing_mesh::Index h)

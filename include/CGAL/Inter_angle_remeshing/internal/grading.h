@@ -48,14 +48,7 @@ public:
   // where it lies.
   double number_of_faces(const Remeshing_mesh& mesh, double target_length) const
   {
-    double result = 0;
-    for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) {
-      if (!mesh.is_face(f)) continue;
-      const auto& v = mesh.face_record(f).vertex;
-      const double l = target_length * (std::min)({part(v[0]), part(v[1]), part(v[2])});
-      result += 2 / std::sqrt(3.) * length(triangle_cross(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]))) / (l * l);
-    }
-    return result;
+    return number_of_faces(mesh, target_length, [](double a, double b, double c) { return (std::min)({a, b, c}); });
   }
 
   // Takes the parts of all vertices from the field, or 1 where it is uniform; see `sink()` for the curves.
@@ -117,10 +110,26 @@ private:
     parts[v] = float(part);
   }
 
-  // A function of the position may be far smaller between the vertices of the input than there.
+  // A function of the position may be far smaller between the vertices of the input than there. Faces as large as the field lets
+  // them be at one of their corners are the fewest there can be: beside one where it is tiny, they grow again.
   void check_number_of_faces(const Remeshing_mesh& mesh, double target_length) const
   {
-    if (!(number_of_faces(mesh, target_length) <= MAXIMUM_NUMBER_OF_FACES)) refuse_too_small_field();
+    const double fewest = number_of_faces(mesh, target_length, [](double a, double b, double c) { return (std::max)({a, b, c}); });
+    if (!(fewest <= MAXIMUM_NUMBER_OF_FACES)) refuse_too_small_field();
+  }
+
+  // With the edges of a face as long as `function(parts of the three corners)` says.
+  template <class Function>
+  double number_of_faces(const Remeshing_mesh& mesh, double target_length, const Function& function) const
+  {
+    double result = 0;
+    for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) {
+      if (!mesh.is_face(f)) continue;
+      const auto& v = mesh.face_record(f).vertex;
+      const double l = target_length * function(part(v[0]), part(v[1]), part(v[2]));
+      result += 2 / std::sqrt(3.) * length(triangle_cross(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]))) / (l * l);
+    }
+    return result;
   }
 
   // Lowers the parts beside the vertices of the queue that rise faster than by `rate` over a unit of length, as far as
