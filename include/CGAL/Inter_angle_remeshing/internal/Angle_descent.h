@@ -116,12 +116,24 @@ private:
     for (int trial = 0; trial < TRIALS; ++trial, step *= BACKTRACK) {
       Index hint = mesh_.hint(v);
       const Vector3 q = context_.projector(p - (step / slope) * g, hint) + offset;
-      if (!context_.projector.is_compatible(hint, normal) || !is_better(before, before.energy, p, q)) continue;
+      if (!context_.projector.is_compatible(hint, normal) || !is_better(before, before.energy, p, q) || !keeps_places(v, p, q))
+        continue;
       mesh_.hint(v) = hint;
       mesh_.position(v) = q;
       return true;
     }
     return false;
+  }
+
+  // Whether the star, with v at q instead of p, is near the places of v, or no farther from them than before.
+  bool keeps_places(Index v, const Vector3& p, const Vector3& q) const
+  {
+    const double longest = Kept_places::LONGEST_WITHDRAWAL * length_at(v), enough = longest * longest;
+    return context_.kept_places.all_of(v, [&](const Vector3& place) {
+      if (squared_distance(q, place) <= enough) return true;
+      const double d = star_.squared_distance(q, place);
+      return d <= enough || d <= star_.squared_distance(p, place);
+    });
   }
 
   // What a fit has put v off the surface, along the normal of its star.

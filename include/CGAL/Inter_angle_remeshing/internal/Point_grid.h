@@ -46,7 +46,9 @@ public:
     bool result = false;
     const Vector3 reach{distance, distance, distance};
     for_each_entry_in_box(p - reach, p + reach, [&](const Entry& e) {
-      result = result || squared_distance(p, e.point) < distance * distance; });
+      result = squared_distance(p, e.point) < distance * distance;
+      return !result;
+    });
     return result;
   }
 
@@ -54,7 +56,7 @@ public:
   template <class Function>
   void for_each_in_box(const Vector3& low, const Vector3& high, const Function& function) const
   {
-    for_each_entry_in_box(low, high, [&](const Entry& e) { function(e.number); });
+    for_each_entry_in_box(low, high, [&](const Entry& e) { function(e.number); return true; });
   }
 
 private:
@@ -65,7 +67,7 @@ private:
     int number, next;                    // the next one of the same hash
   };
 
-  // Where the cells are more than the points, these are looked at one by one.
+  // As long as the function returns true. Where the cells are more than the points, these are looked at one by one.
   template <class Function>
   void for_each_entry_in_box(const Vector3& low, const Vector3& high, const Function& function) const
   {
@@ -75,14 +77,14 @@ private:
     if (cells > double(entries_.size())) {
       for (const Entry& e : entries_)
         if (first[0] <= e.cell[0] && e.cell[0] <= last[0] && first[1] <= e.cell[1] && e.cell[1] <= last[1] &&
-            first[2] <= e.cell[2] && e.cell[2] <= last[2]) function(e);
+            first[2] <= e.cell[2] && e.cell[2] <= last[2] && !function(e)) return;
       return;
     }
     for (Grid_cell c = first; c[0] <= last[0]; ++c[0])
       for (c[1] = first[1]; c[1] <= last[1]; ++c[1])
         for (c[2] = first[2]; c[2] <= last[2]; ++c[2])
           for (int i = first_[bucket(c)]; i >= 0; i = entries_[i].next)
-            if (entries_[i].cell == c) function(entries_[i]);
+            if (entries_[i].cell == c && !function(entries_[i])) return;
   }
 
   // The number of buckets is a power of two.

@@ -72,6 +72,10 @@ private:
   static constexpr unsigned FIRST_GLIDES = 2;
   // Once an iteration does no more than one operation for so many faces, only the last ones are left to do.
   static constexpr std::size_t SETTLED = 1000;
+  // Once it does no more than one operation for so many faces, and more than this part of the faces is out of the band, splits for
+  // this part of the length, or collapses for so many times the length where the mesh is too dense, stir it up.
+  static constexpr std::size_t HARDLY_MOVING = 100;
+  static constexpr double SKEWED = 0.1, STIRRED_BY_SPLITS = 0.9, STIRRED_BY_COLLAPSES = 1.25;
   // Edges that need more halvings than this are far too long to be flipped, or their ends to be moved.
   static constexpr int FEW_HALVINGS = 4;
   // A mesh of more than so many times the faces that its area asks for is coarsened in up to so many rounds, as long as each leaves
@@ -147,7 +151,7 @@ private:
     wanted_faces_ = schedule_.wanted_faces;
     last_iteration_ = schedule_.iterations;
     operations_in_order_ = steerings_ = 0;
-    is_refined_ = is_fitted_ = false;
+    is_refined_ = is_fitted_ = is_stirred_up_ = false;
     stages_ = levels_;
   }
 
@@ -208,12 +212,36 @@ private:
       flip(flip_rounds(), recipe_.glide_depth > 0 && (report_.iterations >= FIRST_GLIDES || is_late()));
       if (goes_on()) relax();
     }
+    const std::size_t done = number_of_operations() - operations, faces = mesh_.number_of_live_faces();
+    if (goes_on() && context_.target_length > 0 && !is_late()) {
+      if (!is_stirred_up_ && done <= faces / HARDLY_MOVING && is_skewed()) stir_up();
+      else if (done <= faces / SETTLED) last_iteration_ = (std::min)(last_iteration_, i + 1 + LAST_ITERATIONS);
+    }
     context_.visitor.end_iteration(i, mesh_);
-    const bool is_settled = number_of_operations() - operations <= mesh_.number_of_live_faces() / SETTLED;
-    if (context_.target_length > 0 && is_settled && !is_late())
-      last_iteration_ = (std::min)(last_iteration_, i + 1 + LAST_ITERATIONS);
     ++report_.iterations;
     if (schedule_.is_verbose) print_state("iteration " + std::to_string(report_.iterations));
+  }
+
+  // Whether many faces are out of their bands. Where hardly an operation is left to do, they are those of a grid of edges of nearly
+  // the target length: all of its vertices are regular, and at the centres of their neighbors, however skew its faces are.
+  bool is_skewed() const
+  {
+    const Angle_bands bands(recipe_);
+    std::size_t skewed = 0;
+    for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f) skewed += mesh_.is_face(f) && !holds_band(mesh_, bands, f);
+    return double(skewed) > SKEWED * double(mesh_.number_of_live_faces());
+  }
+
+  // What is split or collapsed for another length, once, the next iterations take back at other places.
+  void stir_up()
+  {
+    is_stirred_up_ = true;
+    const double target_length = context_.target_length;
+    context_.target_length *= is_too_dense() ? STIRRED_BY_COLLAPSES : STIRRED_BY_SPLITS;
+    split_and_collapse();
+    context_.target_length = target_length;
+    flip(1, false);
+    if (goes_on()) relax(recipe_.sweeps, Pull_back::after_last_sweep);
   }
 
   std::size_t number_of_operations() const
@@ -357,6 +385,7 @@ private:
     context_.template measure_grading<ConcurrencyTag>();
     mend_valences();
     if (goes_on() && stages_ > 0) mend_spots();
+    context_.kept_places.note(mesh_);
     if (goes_on()) fit();
     if (goes_on()) polish();
     Repairer repairer(context_, report_.input_faces);
@@ -479,6 +508,7 @@ private:
   unsigned stages_ = 0, levels_ = 0;     // levels that the run has in all, and still to come
   std::vector<Index> held_;              // vertices that stay where they are on the coarsest level
   bool is_fitted_ = false;               // from then on, vertices need not lie on the surface
+  bool is_stirred_up_ = false;           // once only
   bool has_poor_spots_ = false;          // of which the spots' own iterations did not get the better
   unsigned passes_ = 0;                  // done in this iteration, or on this level
   double progress_ = 0;

@@ -11,6 +11,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/Run_visitor.h>
 #include <CGAL/Inter_angle_remeshing/internal/grading.h>
+#include <CGAL/Inter_angle_remeshing/internal/kept_places.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
 
 namespace CGAL {
@@ -42,6 +43,7 @@ struct Remeshing_context
   const Input_locator* locator;        // null where nobody asks for places
   double grading_rate;                 // at curves; 0: their short edges do not lower the target length
   Grading grading;
+  Kept_places kept_places;             // while faces and angles are mended
 
   // Whether the target length differs from place to place.
   bool is_graded() const { return grading_rate > 0 || !sizing.is_uniform(); }

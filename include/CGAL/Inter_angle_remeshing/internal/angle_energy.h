@@ -6,12 +6,14 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_ANGLE_ENERGY_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/closest_point_on_triangle.h>
 
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 // How far the angles around a vertex are out of a band: E = Σ (c - cos lo)₊² + (cos hi - c)₊² over the corner cosines c of
@@ -132,6 +134,17 @@ public:
     Vector3 sum;
     for (std::size_t k = 0; k < link_.size(); ++k) sum += triangle_cross(p, ring_[k], ring_[k + 1]);
     return sum;
+  }
+
+  // From the star to x, if v lay at p.
+  double squared_distance(const Vector3& p, const Vector3& x) const
+  {
+    double result = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < link_.size(); ++k) {
+      const Vector3 closest = closest_point_on_triangle(x, p, ring_[k], ring_[k + 1]).point;
+      result = (std::min)(result, internal::squared_distance(closest, x));
+    }
+    return result;
   }
 
   // Whether no face turns by more than 60 degrees when v moves from p to q.

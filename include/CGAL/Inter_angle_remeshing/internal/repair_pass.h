@@ -17,6 +17,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/folds.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh_regions.h>
 #include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/surface_walk.h>
 
 #include <algorithm>
 #include <array>
@@ -63,8 +64,10 @@ class Repairer
   // What two faces that cross each other count, and what the length of the segment in which they do, in target lengths. To part
   // them edges may be split that are much shorter.
   static constexpr double CROSSING = 100, CROSSING_LENGTH = 3000, SPLIT_AT_CROSSING = 0.1;
+  // To unfold a face the mesh may withdraw so many times as far.
+  static constexpr double UNFOLDING = 2;
   // Where the surface crosses itself within so many target lengths, faces may cross.
-  static constexpr double SAME_PLACE = 1.5;
+  static constexpr double SAME_PLACE = 1.5, ONE_PLACE = 0.1;
   // What an operation near a face changes lies within so many rings of it.
   static constexpr int REACH = 3;
 
@@ -167,7 +170,7 @@ private:
     return violation(f) > 0;
   }
 
-  // Corners of the faces of the surface that cross others, in units of the mesh.
+  // Corners of the faces of the surface that cross others, in units of the mesh; of those close together one.
   template <class ConcurrencyTag>
   Point_grid places_where_surface_crosses() const
   {
@@ -175,7 +178,10 @@ private:
     if (!context_.projector.has_faces()) return result;
     const Reference_surface& surface = *context_.projector.surface;
     for (const Index f : faces_of(crossing_faces<ConcurrencyTag>(surface)))
-      for (const Index v : surface.face_record(f).vertex) result.insert((1 / context_.projector.factor) * surface.position(v));
+      for (const Index v : surface.face_record(f).vertex) {
+        const Vector3 p = (1 / context_.projector.factor) * surface.position(v);
+        if (!result.has_near(p, ONE_PLACE * context_.target_length)) result.insert(p);
+      }
     return result;
   }
 
@@ -303,8 +309,8 @@ private:
     return touched;
   }
 
-  // How much less is bad after the operation and so many sweeps; all is undone.
-  double gain(const Operation& operation, int sweeps)
+  // How much less is bad after the operation and so many sweeps, if they leave no place that is asked for; all is undone.
+  double gain(const Operation& operation, int sweeps, bool keeps_places = false)
   {
     const std::vector<Index> around = ball(mesh_, ends_and_apexes(mesh_, operation.halfedge), 1, marks_);
     if (around.size() > LARGEST_REGION) return 0;
@@ -313,9 +319,24 @@ private:
     const double before = score(snapshot_.faces());
     const std::vector<Index> moving = ball(mesh_, apply(operation), 1, marks_);
     descent_.sweep(moving, sweeps);
-    const double after = score(faces_around(mesh_, moving));
+    const std::vector<Index> faces = faces_around(mesh_, moving);
+    const double after = score(faces);
+    const bool pays = before - after > NOTICEABLE * before && !(keeps_places && leaves_places(around, faces));
     snapshot_.restore(mesh_);
-    return before - after > NOTICEABLE * before ? before - after : 0;
+    return pays ? before - after : 0;
+  }
+
+  // Whether the mesh, of which these faces are new, has withdrawn too far from places of vertices that were around.
+  bool leaves_places(const std::vector<Index>& around, const std::vector<Index>& faces) const
+  {
+    return !std::all_of(around.begin(), around.end(), [&](Index v) {
+      const double longest = (fault_ == Fault::fold ? UNFOLDING : 1) * Kept_places::LONGEST_WITHDRAWAL * context_.length_at(v);
+      return context_.kept_places.all_of(v, [&](const Vector3& place) {
+        return std::any_of(faces.begin(), faces.end(), [&](Index f) {
+          return squared_distance(closest_point_on_face(mesh_, place, f).point, place) <= longest * longest;
+        });
+      });
+    });
   }
 
   // A few sweeps tell which operations are promising, many more which of these is the best.
@@ -333,13 +354,15 @@ private:
     const auto is_better = [](const auto& a, const auto& b) { return a.first > b.first; };
     std::stable_sort(promising.begin(), promising.end(), is_better);
     promising.resize(n);
-    for (auto& p : promising) p.first = gain(p.second, SWEEPS);
+    for (auto& p : promising) p.first = gain(p.second, SWEEPS, fault_ != Fault::crossing);
     const auto best = std::min_element(promising.begin(), promising.end(), is_better);
     return best != promising.end() && best->first > 0 ? best->second : Operation();
   }
 
   void commit(const Operation& operation)
   {
+    if (const Index h = operation.halfedge; operation.kind == Kind::collapse)
+      context_.kept_places.hand_over(mesh_.source(h), mesh_.source(mesh_.opposite(h)));
     const std::vector<Index> touched = apply(operation, true);
     descent_.sweep(ball(mesh_, touched, 1, marks_), SWEEPS);
     const std::vector<Index> around = ball(mesh_, touched, 2, marks_);
