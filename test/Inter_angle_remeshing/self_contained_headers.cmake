@@ -3,11 +3,13 @@
 
 # cmake -DCOMPILER=... -DSTANDARD=... -DFOLDERS=a|b -DDEFINITIONS=a|b -DPACKAGE=<folder of the headers> -P self_contained_headers.cmake
 #
-# Each public header compiles when it is all that a program includes, twice over, without a warning.
+# Each public header compiles when it is all that a program includes, twice over, without a warning; and with the macros of headers
+# that many programs include before, Qt's and those of Windows.
 
 string(REPLACE "|" ";" folders "${FOLDERS}")
 string(REPLACE "|" ";" definitions "${DEFINITIONS}")
 list(FILTER definitions EXCLUDE REGEX "^$")
+list(APPEND definitions "slots=" "near=" "far=" "small=char")
 list(TRANSFORM definitions PREPEND "-D")
 # The compiler's own folder would come before those of its library.
 list(FILTER folders EXCLUDE REGEX "^(${PACKAGE}|/usr/include|)$")

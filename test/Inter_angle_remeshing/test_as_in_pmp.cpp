@@ -12,6 +12,7 @@
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/property_map.h>
 
 #include "Polyhedron_twin.h"
 #include "check.h"
@@ -700,6 +701,24 @@ void a_patch_then_the_whole()
   CHECK_MESSAGE(marked() == kept, Engine::NAME);
 }
 
+// A set of edges as the map, which put() changes: no edge that the run has removed is left in it, where a later edge might find itself
+// marked.
+template <class Engine>
+void removed_edges_are_not_left_in_the_map()
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  Mesh m = cube();
+  std::set<Edge> marked;
+  const CGAL::Boolean_property_map<std::set<Edge>> map(marked);
+  PMP::detect_sharp_edges(m, 60, map);
+  Engine::run(m.faces(), .1, m, parameters::edge_is_constrained_map(map));
+  const std::size_t fine = marked.size();
+  Engine::run(m.faces(), .3, m, parameters::edge_is_constrained_map(map));
+  CHECK_MESSAGE(!marked.empty() && marked.size() < fine, Engine::NAME << ": " << marked.size() << " of " << fine);
+  for(const Edge e : marked)
+    CHECK_MESSAGE(!m.is_removed(e), Engine::NAME << ": " << e);
+}
+
 // Sharp edges found, split, and protected: all of them are there, and nothing intersects itself.
 template <class Engine>
 void protected_sharp_edges_leave_no_crossings()
@@ -824,6 +843,7 @@ void check_all()
   a_near_sheet_is_another_one<Engine>();
 
   a_patch_then_the_whole<Engine>();
+  removed_edges_are_not_left_in_the_map<Engine>();
   protected_sharp_edges_leave_no_crossings<Engine>();
   everything_may_be_constrained<Engine>();
 }

@@ -819,7 +819,7 @@ void check_random_exchange(Graph& g, const Faces_of<Graph>& range, const std::st
     operations.step(nullptr);
   flat.renumber<CGAL::Sequential_tag>(flat.block_order());
   CHECK_CONSISTENT(flat);
-  exchange.write(flat);
+  exchange.write(flat, [](const auto&) {});
 
   CHECK_MESSAGE(is_valid_mesh(g), name);
   if(!is_valid_mesh(g))

@@ -27,9 +27,9 @@ public:
 
   explicit Descriptor_index(std::size_t capacity)
   {
-    std::size_t slots = 16;
-    while (slots < 2 * capacity) slots *= 2;
-    slots_.resize(slots, Slot{Descriptor(), -1});
+    std::size_t size = 16;
+    while (size < 2 * capacity) size *= 2;
+    slots_.resize(size, Slot{Descriptor(), -1});
   }
 
   // Gives `d` the number `i`, unless it has one; returns its number and whether it is new.

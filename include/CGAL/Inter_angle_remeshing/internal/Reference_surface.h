@@ -168,14 +168,14 @@ inline Vector3 Reference_surface::locate(const Vector3& q, Index& f, const Vecto
   if (normal == Vector3() || dot(cross_product(f), normal) > 0) return closest;
 
   const double radius = compatible_radius(q, closest, f);
-  std::vector<Index> near;
+  std::vector<Index> faces;
   tree().all_intersected_primitives(CGAL::Bbox_3(q.x - radius, q.y - radius, q.z - radius,
                                                  q.x + radius, q.y + radius, q.z + radius),
-                                    std::back_inserter(near));
-  std::sort(near.begin(), near.end());
+                                    std::back_inserter(faces));
+  std::sort(faces.begin(), faces.end());
   double best = radius * radius;
   Vector3 result = closest;
-  for (const Index g : near) {
+  for (const Index g : faces) {
     if (!(dot(cross_product(g), normal) > 0)) continue;
     const Vector3 c = closest_point_on_face(*this, q, g).point;
     const double d = squared_distance(q, c);

@@ -42,9 +42,9 @@ template <class ConcurrencyTag>
 Remeshing_report::Angles angle_summary(const Remeshing_mesh& mesh)
 {
   using Index = Remeshing_mesh::Index;
-  const std::size_t slots = mesh.number_of_face_slots();
-  std::vector<Remeshing_report::Angles> parts(number_of_blocks(slots, SCAN_BLOCK), {-1, 1, 0});
-  for_each_block<ConcurrencyTag>(slots, SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t block) {
+  const std::size_t number_of_slots = mesh.number_of_face_slots();
+  std::vector<Remeshing_report::Angles> parts(number_of_blocks(number_of_slots, SCAN_BLOCK), {-1, 1, 0});
+  for_each_block<ConcurrencyTag>(number_of_slots, SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t block) {
     for (std::size_t f = begin; f < end; ++f) {
       if (!mesh.is_face(Index(f))) continue;
       const Corner_table::Face& t = mesh.face_record(Index(f));

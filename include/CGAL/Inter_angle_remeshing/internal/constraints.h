@@ -86,10 +86,20 @@ constexpr bool is_writable()
   return std::is_convertible<typename boost::property_traits<Map>::category, boost::writable_property_map_tag>::value;
 }
 
+// No edge that is about to be removed stays constrained: its descriptor may name another one some day. Maps are taken by value
+// here and below, as put() may change them.
+template <class EdgeIsConstrainedMap, class Edge>
+void forget_constraint(EdgeIsConstrainedMap ecm, const Edge& edge)
+{
+  (void)ecm; (void)edge;
+  if constexpr (!std::is_same<EdgeIsConstrainedMap, No_map>::value)
+    if constexpr (is_writable<EdgeIsConstrainedMap>()) put(ecm, edge, false);
+}
+
 // Makes the user's maps right for every edge and face of the result. `patches` are the patches of the input faces.
 template <class Exchange, class EdgeIsConstrainedMap, class PatchMap, class Patches, class TriangleMesh>
 void write_constraints(const Exchange& exchange, const Remeshing_mesh& mesh, const TriangleMesh& tmesh,
-                       const EdgeIsConstrainedMap& ecm, const PatchMap& fpm, const Patches& patches)
+                       EdgeIsConstrainedMap ecm, PatchMap fpm, const Patches& patches)
 {
   using Index = Remeshing_mesh::Index;
   (void)tmesh; (void)ecm; (void)fpm; (void)patches;

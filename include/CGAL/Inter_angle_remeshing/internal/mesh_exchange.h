@@ -99,8 +99,10 @@ public:
   }
 
   // Replaces the range by the mesh. Everything that may fail, for want of memory or in the user's point map, comes
-  // first; if it does, what was done is taken back, and the exception goes on. `mesh` must have no free slots.
-  void write(const Remeshing_mesh& mesh)
+  // first; if it does, what was done is taken back, and the exception goes on. `mesh` must have no free slots. `before_removal(edge)`
+  // is called for edges that the result has no use for.
+  template <class Function>
+  void write(const Remeshing_mesh& mesh, const Function& before_removal)
   {
     plan(mesh);
     try {
@@ -111,7 +113,7 @@ public:
       throw;
     }
     connect(mesh);
-    remove_the_rest();
+    remove_the_rest(before_removal);
   }
 
   // After write(): the user's vertex of v, the user's half-edge of h, and the user's face of f.
@@ -212,8 +214,11 @@ private:
     const std::size_t new_faces = mesh.number_of_live_faces() - (std::min)(mesh.number_of_live_faces(), copy_.faces.size()),
                       new_edges = edges_needed_ - (std::min)(edges_needed_, spare_edges_.size());
     allocate_removal_flags(tmesh_, 0);    // before anything is made that take_back() would have to remove
-    reserve(tmesh_, room_for(num_vertices(tmesh_), new_vertices_.size()), room_for(num_edges(tmesh_), new_edges),
-            room_for(num_faces(tmesh_), new_faces));
+    using Vertices_size = typename Traits::vertices_size_type;
+    using Edges_size = typename Traits::edges_size_type;
+    using Faces_size = typename Traits::faces_size_type;
+    reserve(tmesh_, Vertices_size(room_for(num_vertices(tmesh_), new_vertices_.size())),
+            Edges_size(room_for(num_edges(tmesh_), new_edges)), Faces_size(room_for(num_faces(tmesh_), new_faces)));
     for (; vertices_made_ < new_vertices_.size(); ++vertices_made_)
       vertex_of_[new_vertices_[vertices_made_]] = add_vertex(tmesh_);
     while (copy_.faces.size() < mesh.number_of_live_faces()) copy_.faces.push_back(add_face(tmesh_));
@@ -313,10 +318,14 @@ private:
   }
 
   // Edges first: those of a cell complex count how often their vertices and faces are referred to.
-  void remove_the_rest()
+  template <class Function>
+  void remove_the_rest(const Function& before_removal)
   {
-    for (std::size_t i = edges_used_; i < spare_edges_.size(); ++i)
-      remove_edge(edge(spare_edges_[i], tmesh_), tmesh_);
+    for (std::size_t i = edges_used_; i < spare_edges_.size(); ++i) {
+      const edge_descriptor e = edge(spare_edges_[i], tmesh_);
+      before_removal(e);
+      remove_edge(e, tmesh_);
+    }
     for (std::size_t i = 0; i < is_kept_.size(); ++i)
       if (!is_kept_[i]) remove_vertex(copy_.vertices[i], tmesh_);
     const std::size_t faces_used = halfedge_of_.size() / 3;

@@ -86,7 +86,7 @@ struct Projection
     const Corner_table::Face& t = surface->face_record(f);
     Vector3 p;
     for (int k = 0; k < 3; ++k) p += b[k] * surface->position(t.vertex[k]);
-    if (const double share = mls == nullptr ? 0. : share_of_mls(facet_size(f)))
+    if (const double share = mls == nullptr ? 0. : share_of_mls(facet_size(f)); share > 0)
       p += share * (mls->point(f, b) - p);
     return {(1 / factor) * p, normal_at(f, (1 / factor) * p)};
   }

@@ -171,7 +171,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
     Remeshing_context context{mesh, parameters.recipe, curves, rule(parameters.split_policy), rule(parameters.collapse_policy),
                               rule(parameters.flip_policy), projector, parameters.visitor, parameters.may_collapse_constraints,
                               target, parameters.may_subdivide, wanted.sizing, locator ? &*locator : nullptr,
-                              has_small_details ? parameters.recipe.grading : 0., Grading()};
+                              has_small_details ? parameters.recipe.grading : 0., Grading(), Kept_places()};
     const Run_result result = run_passes<Concurrency>(context, parameters.schedule);
     is_to_be_written = result.has_target_length;
     if (is_to_be_written && attributes.are_carried()) attributes.read(mesh, *locator);
@@ -181,7 +181,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   report.features = kind.features;
   report.feature_edges = kind.feature_edges;
   if (!is_to_be_written) return report;
-  exchange.write(mesh);
+  exchange.write(mesh, [&](const auto& edge) { forget_constraint(parameters.edge_is_constrained_map, edge); });
   write_constraints(exchange, mesh, tmesh, parameters.edge_is_constrained_map, parameters.face_patch_map, patches);
   if (attributes.are_carried()) attributes.write(mesh);
   return report;

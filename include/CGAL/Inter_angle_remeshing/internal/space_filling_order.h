@@ -36,10 +36,10 @@ inline std::uint64_t spread_bits(std::uint64_t x)
 inline std::vector<Remeshing_mesh::Index> morton_order(const Remeshing_mesh& mesh)
 {
   using Index = Remeshing_mesh::Index;
-  const Index slots = Index(mesh.number_of_vertex_slots());
+  const Index number_of_slots = Index(mesh.number_of_vertex_slots());
   constexpr double inf = std::numeric_limits<double>::infinity();
   Vector3 low{inf, inf, inf}, high{-inf, -inf, -inf};
-  for (Index v = 0; v < slots; ++v) {
+  for (Index v = 0; v < number_of_slots; ++v) {
     if (!mesh.is_vertex(v)) continue;
     const Vector3& p = mesh.position(v);
     low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
@@ -50,7 +50,7 @@ inline std::vector<Remeshing_mesh::Index> morton_order(const Remeshing_mesh& mes
 
   std::vector<std::uint64_t> keys;
   keys.reserve(mesh.number_of_live_vertices());
-  for (Index v = 0; v < slots; ++v) {
+  for (Index v = 0; v < number_of_slots; ++v) {
     if (!mesh.is_vertex(v)) continue;
     const Vector3 cell = cells * (mesh.position(v) - low);
     const std::uint64_t key = spread_bits(std::uint64_t(cell.x)) | spread_bits(std::uint64_t(cell.y)) << 1 |
