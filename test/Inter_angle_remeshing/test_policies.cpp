@@ -38,7 +38,7 @@ using namespace meshes;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-using Profile = IAR::Edge_profile<Mesh>;
+using Edge_profile = IAR::Edge_profile<Mesh>;
 using Vertex = Mesh::Vertex_index;
 
 // The vertices of a configuration, as numbers of its soup's points.
@@ -275,10 +275,10 @@ void a_profile_measures_the_angle_between_the_normals()
 
 void mean_angles_fill_a_flat_neighborhood()
 {
-  CHECK(Profile::mean_angle(6, false) == 60);
-  CHECK(Profile::mean_angle(4, true) == 60);  // three faces in 180 degrees
-  CHECK(Profile::mean_angle(5, false) == 72);
-  CHECK(Profile::mean_angle(2, true) == 180);
+  CHECK(Edge_profile::mean_angle(6, false) == 60);
+  CHECK(Edge_profile::mean_angle(4, true) == 60);  // three faces in 180 degrees
+  CHECK(Edge_profile::mean_angle(5, false) == 72);
+  CHECK(Edge_profile::mean_angle(2, true) == 180);
 }
 
 void a_profile_takes_maps_of_all_kinds()
