@@ -4,7 +4,8 @@
 //
 // What CAD systems export: surfaces of revolution whose faces are as long as the part and as narrow as it curves. By default
 // with nothing marked, and by PMP with the edges over 40 degrees marked, both to a length at which so many equilateral
-// triangles have the area of the input. Then what few iterations do, and targets far finer than the facets. Tables in Markdown.
+// triangles have the area of the input. Then what few iterations do, and targets far finer than the facets; and regular grids, flat
+// and wavy. Tables in Markdown.
 //
 //   tessellations [pairs]       the times are medians over so many pairs of runs; 5
 
@@ -75,6 +76,25 @@ Mesh turned(const Profile& profile, std::size_t n, bool is_closed)
     mesh.add_face(at(0, 0), at(0, i + 1), at(0, i));
     mesh.add_face(at(m - 1, 0), at(m - 1, i), at(m - 1, i + 1));
   }
+  return mesh;
+}
+
+// n by n quadrangles over a surface z = height sin x cos y, all cut the same way.
+Mesh grid(std::size_t n, double height)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for (std::size_t j = 0; j <= n; ++j)
+    for (std::size_t i = 0; i <= n; ++i) {
+      const double x = 10. * double(i) / double(n), y = 10. * double(j) / double(n);
+      v.push_back(mesh.add_vertex(Kernel::Point_3(x, y, height * std::sin(x) * std::cos(y))));
+    }
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t a = j * (n + 1) + i, b = a + n + 1;
+      mesh.add_face(v[a], v[a + 1], v[b + 1]);
+      mesh.add_face(v[a], v[b + 1], v[b]);
+    }
   return mesh;
 }
 
@@ -155,4 +175,9 @@ int main(int argc, char* argv[])
     compare({"tube with round ends, " + std::to_string(n) + ", one iteration", turned(wall_with_round_ends(), n, true)}, 5000, pairs, 1);
   compare({"cylinder, 20 radii long, 16, one iteration", cylinder}, 5000, pairs, 1);
   compare({"cylinder, 20 radii long, 16", cylinder}, 100000, pairs);
+  std::printf("\n");
+  print_head();
+  for (const double height : {0., .2})
+    for (const std::size_t wanted : {11400, 17800, 285000})
+      compare({height > 0 ? "wavy grid, 100 by 100" : "flat grid, 100 by 100", grid(100, height)}, wanted, pairs);
 }

@@ -74,8 +74,8 @@ isotropic_remeshing(faces(mesh), 0.02, mesh, parameters::visitor(std::ref(transf
 Values are read before the mesh is changed, and written when the result stands: an exception from a map or an interpolation while
 reading leaves everything as it was. The maps must stay valid while elements are added to the mesh; so do the property maps
 of `Surface_mesh`, and dynamic property maps. At a seam, where an attribute has two values at one vertex, as texture
-coordinates have, this does not help: mark seams as constrained edges, and carry both sides as attributes of faces or
-half-edges.
+coordinates have, this does not help, and there is no map for half-edges: mark seams as constrained edges, which keeps them in their
+places, carry the number of the chart as an attribute of faces, and look up what corners need in that chart of the input.
 
 Complexity: linear in the size of the result.
 
