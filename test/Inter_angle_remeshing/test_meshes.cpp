@@ -419,7 +419,7 @@ void crossing_faces_are_parted()
 // are 45 and 90 degrees. Nor is one that is too dense, and whose edges are too long to be merged.
 void regular_grids_are_stirred_up()
 {
-  const std::size_t n = meshes::is_small_run() ? 15 : 60;
+  const std::size_t n = meshes::is_small_run() ? 20 : 60;
   meshes::Soup grid;
   for(std::size_t j = 0; j <= n; ++j)
     for(std::size_t i = 0; i <= n; ++i)
