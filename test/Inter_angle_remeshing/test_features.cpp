@@ -171,8 +171,7 @@ void cad_models_have_all_their_sharp_edges()
 // As few facets as 10 to 24 around: they meet at 36 to 15 degrees along lines that are much longer than the sharp edges.
 void cylinders_of_few_facets_are_cad_models()
 {
-  using Profile = std::vector<std::array<double, 2>>;
-  const Profile pipe = {{1, 0}, {1, 6}, {.8, 6}, {.8, 0}}, shaft = {{1, 0}, {1, 4}, {1.5, 4}, {1.5, 5}, {1, 5}, {1, 9}, {.6, 9}, {.6, 14}},
+  const meshes::Profile pipe = {{1, 0}, {1, 6}, {.8, 6}, {.8, 0}}, shaft = {{1, 0}, {1, 4}, {1.5, 4}, {1.5, 5}, {1, 5}, {1, 9}, {.6, 9}, {.6, 14}},
                 cone = {{1, 0}, {.3, 5}, {.3, 8}}, rod = {{1, 0}, {1, 200}};
   for(const std::size_t n : {10, 16, 24})
     for(const auto& [profile, is_closed] : {std::make_pair(pipe, true), std::make_pair(shaft, false), std::make_pair(cone, false),

@@ -98,9 +98,9 @@ public:
     return std::move(copy_.mesh);
   }
 
-  // Replaces the range by the mesh. Everything that may fail, for want of memory or in the user's point map, comes
-  // first; if it does, what was done is taken back, and the exception goes on. `mesh` must have no free slots. `before_removal(edge)`
-  // is called for edges that the result has no use for.
+  // Replaces the range by the mesh. Everything that may fail, for want of memory or in the user's maps, comes first; if it does,
+  // what was done is taken back, and the exception goes on. `mesh` must have no free slots. `before_removal(edge)` is called for edges
+  // that the result has no use for.
   template <class Function>
   void write(const Remeshing_mesh& mesh, const Function& before_removal)
   {
@@ -108,12 +108,13 @@ public:
     try {
       make_room(mesh);
       set_points(mesh);
+      for (std::size_t i = edges_needed_; i < spare_edges_.size(); ++i) before_removal(edge(spare_edges_[i], tmesh_));
     } catch (...) {
       take_back();
       throw;
     }
     connect(mesh);
-    remove_the_rest(before_removal);
+    remove_the_rest();
   }
 
   // After write(): the user's vertex of v, the user's half-edge of h, and the user's face of f.
@@ -318,14 +319,10 @@ private:
   }
 
   // Edges first: those of a cell complex count how often their vertices and faces are referred to.
-  template <class Function>
-  void remove_the_rest(const Function& before_removal)
+  void remove_the_rest()
   {
-    for (std::size_t i = edges_used_; i < spare_edges_.size(); ++i) {
-      const edge_descriptor e = edge(spare_edges_[i], tmesh_);
-      before_removal(e);
-      remove_edge(e, tmesh_);
-    }
+    for (std::size_t i = edges_used_; i < spare_edges_.size(); ++i)
+      remove_edge(edge(spare_edges_[i], tmesh_), tmesh_);
     for (std::size_t i = 0; i < is_kept_.size(); ++i)
       if (!is_kept_[i]) remove_vertex(copy_.vertices[i], tmesh_);
     const std::size_t faces_used = halfedge_of_.size() / 3;

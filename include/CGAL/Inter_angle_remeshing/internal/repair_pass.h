@@ -66,7 +66,8 @@ class Repairer
   static constexpr double CROSSING = 100, CROSSING_LENGTH = 3000, SPLIT_AT_CROSSING = 0.1;
   // To unfold a face the mesh may withdraw so many times as far.
   static constexpr double UNFOLDING = 2;
-  // Where the surface crosses itself within so many target lengths, faces may cross.
+  // Where the surface crosses itself within so many target lengths, faces may cross. Places that are this near to each other, of which
+  // a surface finer than the target has any number, are one.
   static constexpr double SAME_PLACE = 1.5, ONE_PLACE = 0.1;
   // What an operation near a face changes lies within so many rings of it.
   static constexpr int REACH = 3;
