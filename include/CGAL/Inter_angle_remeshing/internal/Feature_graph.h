@@ -56,6 +56,22 @@ public:
       if (component.size() < least_edges && length_of(component) < least_length * length_) drop(component);
   }
 
+  // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet. Those of animals and
+  // scans are loose, jagged, and a tangle. What leads to a free end is dropped.
+  bool is_network()
+  {
+    const double length_of_all = length_left();
+    drop_trees();
+    std::size_t inner = 0, bent = 0, others = 0;          // vertices
+    for (Index v = 0; v < Index(vertices_.size()); ++v) {
+      if (!has_edges(v)) continue;
+      ++(degree(v) == 2 ? inner : others);
+      bent += degree(v) == 2 && bends(v);
+    }
+    return length_left() >= LEAST_NETWORK_SHARE * length_of_all && inner >= LEAST_EDGES &&
+           double(bent) <= LARGEST_BENT_SHARE * double(inner) && double(others) <= LARGEST_MEETING_SHARE * double(inner + others);
+  }
+
   // Keeps chains that lead somewhere, in components that are long, sharp, and not a tangle, and of two chains side by side
   // the stronger one. The creases of animals and folds of clothes end somewhere; the edges of a machine part hardly do.
   void prune()
@@ -94,6 +110,7 @@ private:
   static constexpr double DANGLING_LENGTH = 4, LEAST_COMPONENT = 5, LENGTH_A_FREE_END = 40;
   static constexpr std::size_t LEAST_EDGES = 12;       // the ring of fewer turns by 30 degrees at each
   static constexpr double LEAST_STRONG_SHARE = 0.5, LARGEST_BAD_SHARE = 0.25;
+  static constexpr double LEAST_NETWORK_SHARE = 0.7, LARGEST_BENT_SHARE = 0.2, LARGEST_MEETING_SHARE = 0.4;
   static constexpr double BEND_COSINE = 0.7071067811865476;       // 45 degrees
   static constexpr double PARALLEL_DISTANCE = 0.35, PARALLEL_SHARE = 0.25;
   static constexpr double ALONG = 3;                   // so many distances apart along it, parts of a chain count as two
@@ -120,6 +137,10 @@ private:
     for (const Index e : incident_[v])
       if (edges_[e].is_left) function(e);
   }
+  bool has_edges(Index v) const
+  {
+    return std::any_of(incident_[v].begin(), incident_[v].end(), [&](Index e) { return edges_[e].is_left; });
+  }
   // With the border's edges.
   int degree(Index v) const
   {
@@ -143,6 +164,10 @@ private:
     return std::accumulate(edges.begin(), edges.end(), 0., [&](double sum, Index e) {
       return sum + edges_[e].length * edges_[e].angle; });
   }
+  double length_left() const
+  {
+    return std::accumulate(edges_.begin(), edges_.end(), 0., [](double sum, const Edge& e) { return sum + (e.is_left ? e.length : 0); });
+  }
   void drop(const std::vector<Index>& edges)
   {
     for (const Index e : edges) edges_[e].is_left = false;
@@ -152,6 +177,7 @@ private:
   std::vector<Chain> chains() const;
   void follow(Index e, int side, Chain& chain, std::vector<char>& is_passed) const;
   void drop_dangling_chains(double least_angle);
+  void drop_trees();
   bool is_fit(const std::vector<Index>& component) const;
   int free_ends(const std::vector<Index>& component) const;
   bool bends(Index v) const;
@@ -232,6 +258,22 @@ inline void Feature_graph::drop_dangling_chains(double least_angle)
     if (chain.free_ends == 0) continue;
     const double l = length_of(chain.edges);
     if (l < chain.free_ends * DANGLING_LENGTH * length_ || weighted_angle(chain.edges) < least_angle * l) drop(chain.edges);
+  }
+}
+
+// Drops edges with a free end until there is none.
+inline void Feature_graph::drop_trees()
+{
+  std::vector<Index> ends(vertices_.size());
+  std::iota(ends.begin(), ends.end(), 0);
+  while (!ends.empty()) {
+    const Index v = ends.back();
+    ends.pop_back();
+    if (degree(v) != 1) continue;
+    for_each_incident(v, [&](Index e) {
+      edges_[e].is_left = false;
+      ends.push_back(other_end(e, v));
+    });
   }
 }
 

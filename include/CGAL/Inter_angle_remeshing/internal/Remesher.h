@@ -294,6 +294,18 @@ private:
     return ratio > 2 ? 1 + int(std::log2(ratio)) : 0;
   }
 
+  // Edges of curves that are still to be collapsed are those of the input: they tell nothing about details, unless the last
+  // iterations find them still there.
+  void measure_grading()
+  {
+    if (!(context_.target_length > 0) || !context_.is_graded()) return;
+    context_.grading.read<ConcurrencyTag>(mesh_, context_.sizing, context_.locator, context_.target_length);
+    if (!(context_.grading_rate > 0)) return;
+    const bool are_curves_settled = is_late() || !context_.may_collapse_constraints || context_.collapse_rule.is_never();
+    context_.grading.sink(mesh_, context_.target_length, context_.grading_rate, [&](Index v) {
+      return are_curves_settled || !has_surplus_curve_edge(context_, v); });
+  }
+
   // Returns the number of splits. The limits of the edge lengths are those of the recipe, or wider by a factor.
   std::size_t split_and_collapse(double widening = 1)
   {
@@ -303,8 +315,7 @@ private:
     const double high = context_.split_rule.is_never() ? inf : context_.squared_length_limit() * (widening * widening);
     std::vector<Remeshing_mesh::Index> long_edges, short_edges;
     std::size_t splits = 0;
-    // Edges of curves that are short in the beginning may be those of the input.
-    context_.template measure_grading<ConcurrencyTag>(report_.iterations > 0);
+    measure_grading();
     run_pass(Pass::split, report_.splits, [&]() {
       if (context_.grading.is_uniform()) {
         for (const Remeshing_mesh::Index h : edges_out_of<ConcurrencyTag>(mesh_, low, high))
@@ -382,7 +393,7 @@ private:
 
   void clean_up()
   {
-    context_.template measure_grading<ConcurrencyTag>();
+    measure_grading();
     mend_valences();
     if (goes_on() && stages_ > 0) mend_spots();
     context_.kept_places.note(mesh_);
@@ -491,7 +502,7 @@ private:
     const std::size_t fraction = faces < 100000 ? 4 : faces < 1000000 ? 8 : 32;
     if (operations - operations_in_order_ <= faces / fraction) return;
     mesh_.renumber<ConcurrencyTag>(morton_order(mesh_));
-    if (!context_.sizing.is_uniform()) context_.template measure_grading<ConcurrencyTag>();
+    if (!context_.sizing.is_uniform()) measure_grading();
     operations_in_order_ = operations;
   }
 

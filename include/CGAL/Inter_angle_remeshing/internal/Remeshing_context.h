@@ -47,14 +47,6 @@ struct Remeshing_context
 
   // Whether the target length differs from place to place.
   bool is_graded() const { return grading_rate > 0 || !sizing.is_uniform(); }
-  template <class ConcurrencyTag>
-  void measure_grading(bool are_curves_settled = true)
-  {
-    const bool sinks = grading_rate > 0 && are_curves_settled;
-    if (!(target_length > 0) || (sizing.is_uniform() && !sinks)) return;
-    grading.read<ConcurrencyTag>(mesh, sizing, locator, target_length);
-    if (sinks) grading.sink(mesh, target_length, grading_rate);
-  }
   // The target length that the sizing field has at a vertex, and on an edge.
   double length_at(Index v) const { return grading.has_field() ? target_length * grading.field_part(v) : target_length; }
   double length_at(Index u, Index v) const

@@ -37,38 +37,20 @@ constexpr int MAXIMUM_MERGED_VALENCE = 9;
 // Smallest cosine between the normals of a face before and after a collapse: 60 degrees.
 constexpr double COLLAPSE_NORMAL_COSINE = 0.5;
 
-// Whether the source of h can leave the curve that it lies on: its two edges there become one, which must neither be too long
-// nor leave the curve. The edge beyond it belongs to the same curve, as no vertex between two is without a lock.
-inline bool keeps_curve(const Remeshing_context& context, Remeshing_mesh::Index h)
-{
-  using Index = Remeshing_mesh::Index;
-  const Remeshing_mesh& mesh = context.mesh;
-  if (!mesh.has_place(h)) return false;
-  const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
-  Index beyond = h;
-  for_each_curve_halfedge(mesh, a, [&](Index k) { if (k != h) beyond = k; });
-  const Index u = mesh.source(mesh.opposite(beyond));
-  if (beyond == h || u == b) return false;
-  const Vector3 &p = mesh.position(b), &q = mesh.position(u);
-  const auto target = [&](Index k) { return target_on_curve(context, k < 0 ? ~k : k); };
-  const double limit = context.recipe.split_ratio * (std::min)(target(h), target(beyond));
-  if (squared_distance(p, q) > limit * limit) return false;
-  const Remeshing_mesh::Curve_place removed = mesh.curve_place(h), rest = mesh.curve_place(beyond);
-  return context.curves.deviation(removed.curve, removed.target, removed.origin + rest.target - rest.origin, p, q) <=
-         CURVE_TOLERANCE * context.length_at(a);
-}
-
 // Whether no new edge at h's target is too long. The neighbors of a free source other than the target and the two
-// apexes, which the target has already, are met from the far side: there most collapses fail.
+// apexes, which the target has already, are met from the far side: there most collapses fail. Where the source lies on a curve, its
+// own short edges are what lowers the target length: that must not keep them short.
 inline bool has_short_edges_after_collapse(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Grading& grading,
                                            const Collapse_limits& limits)
 {
   using Index = Remeshing_mesh::Index;
   const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
   const Vector3& q = mesh.position(b);
+  const bool is_on_curve = mesh.is_on_curve(a);
   const auto is_short = [&](Index k) {
-    const double part = grading.is_uniform() ? 1. : grading.part(b, mesh.target(k));
-    return squared_distance(q, mesh.position(mesh.target(k))) <= part * part * limits.squared_length;
+    const Index c = mesh.target(k);
+    const double part = is_on_curve ? grading.field_part(b, c) : grading.is_uniform() ? 1. : grading.part(b, c);
+    return squared_distance(q, mesh.position(c)) <= part * part * limits.squared_length;
   };
   if (!mesh.is_free(a)) return mesh.all_around(a, is_short);
   Index k = mesh.rotate_ccw(mesh.rotate_ccw(h));

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <vector>
 
-// When an edge on a curve is too long, too short, or too far from the curve.
+// When an edge on a curve is too long, too short, or too far from the curve; and when a vertex may leave the curve.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -67,6 +67,37 @@ inline bool is_too_long_on_curve(const Remeshing_context& context, Remeshing_mes
 inline bool is_too_short_on_curve(const Remeshing_context& context, Remeshing_mesh::Index h)
 {
   return std::sqrt(context.mesh.squared_edge_length(h)) < context.recipe.collapse_ratio * target_on_curve(context, h);
+}
+
+// Whether the source of h can leave the curve that it lies on: its two edges there become one, which must neither be too long
+// nor leave the curve. The edge beyond it belongs to the same curve, as no vertex between two is without a lock.
+inline bool keeps_curve(const Remeshing_context& context, Remeshing_mesh::Index h)
+{
+  using Index = Remeshing_mesh::Index;
+  const Remeshing_mesh& mesh = context.mesh;
+  if (!mesh.has_place(h)) return false;
+  const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
+  Index beyond = h;
+  for_each_curve_halfedge(mesh, a, [&](Index k) { if (k != h) beyond = k; });
+  const Index u = mesh.source(mesh.opposite(beyond));
+  if (beyond == h || u == b) return false;
+  const Vector3 &p = mesh.position(b), &q = mesh.position(u);
+  const auto target = [&](Index k) { return target_on_curve(context, k < 0 ? ~k : k); };
+  const double limit = context.recipe.split_ratio * (std::min)(target(h), target(beyond));
+  if (squared_distance(p, q) > limit * limit) return false;
+  const Remeshing_mesh::Curve_place removed = mesh.curve_place(h), rest = mesh.curve_place(beyond);
+  return context.curves.deviation(removed.curve, removed.target, removed.origin + rest.target - rest.origin, p, q) <=
+         CURVE_TOLERANCE * context.length_at(a);
+}
+
+// Whether v can leave its curve with an edge that is too short.
+inline bool has_surplus_curve_edge(const Remeshing_context& context, Remeshing_mesh::Index v)
+{
+  bool result = false;
+  for_each_curve_halfedge(context.mesh, v, [&](Remeshing_mesh::Index h) {
+    result = result || (is_too_short_on_curve(context, h < 0 ? ~h : h) && keeps_curve(context, h));
+  });
+  return result;
 }
 
 // The point of the curve in the middle of the arc that the edge of h stands for.

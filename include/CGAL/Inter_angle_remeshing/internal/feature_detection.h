@@ -67,6 +67,8 @@ private:
   // many edges, between which there are no sharp ones.
   static constexpr double LONG_COMPONENT = 8, LONG_PART = 0.25;
   static constexpr std::size_t LONG_RING = 9;
+  // The edges in between may be so many times as long as sharp ones that form a network.
+  static constexpr double MOST_MILD = 3.5;
   static constexpr double NARROW = 0.05;                // strip, in lengths
   static constexpr int RINGS = 2;                       // around candidates that are filtered
 
@@ -124,7 +126,8 @@ private:
 
   // CAD models have sharp edges and flat ones, and few in between; or these are between planar polygons, as on cylinders, cones
   // and other surfaces of revolution of few facets. A few sharp edges beside each other, as around a vertex that is folded over, are
-  // no feature of a part.
+  // no feature of a part. Where round parts are coarse, as after remeshing, many edges are in between: the sharp ones still form
+  // a network then.
   void look_at_edges()
   {
     const double sharp = cosine_of(CAD_ANGLE), mild = cosine_of(MILD_ANGLE), flat = cosine_of(FLAT_ANGLE),
@@ -144,7 +147,16 @@ private:
     const auto is_cad_with = [&](double length) {
       return of_mild < 0.5 * length || (of_mild < 1.1 * length && 2 * flat_edges > edges) || of_mild - of_facets < 0.2 * length;
     };
-    is_cad_ = is_cad_with(of_sharp) && is_cad_with(length_in_long_components(sharp_edges(CAD_ANGLE)));
+    const std::vector<Index> candidates = sharp_edges(CAD_ANGLE);
+    const double of_long = length_in_long_components(candidates);
+    is_cad_ = (is_cad_with(of_sharp) && is_cad_with(of_long)) || (of_mild < MOST_MILD * of_long && form_network(candidates));
+  }
+
+  bool form_network(const std::vector<Index>& edges) const
+  {
+    Feature_graph graph(mesh_, own_length_);
+    for (const Index h : edges) graph.add(h, 0);
+    return graph.is_network();
   }
 
   // The length of these edges in components that are long beside the edges of the mesh, or beside the model.

@@ -70,8 +70,9 @@ public:
   }
 
   // Lowers the parts at short edges of curves, and around them: they rise by `rate` over a unit of length. Protected
-  // edges say nothing about details.
-  void sink(const Remeshing_mesh& mesh, double target_length, double rate)
+  // edges say nothing about details, nor do those at vertices for which `is_settled(v)` does not hold.
+  template <class Predicate>
+  void sink(const Remeshing_mesh& mesh, double target_length, double rate, const Predicate& is_settled)
   {
     std::vector<Index> sunk;
     for (Index v = 0; v < Index(part_.size()); ++v) {
@@ -86,8 +87,9 @@ public:
       });
       if (edges == 0 || is_protected) continue;
       const double bound = CURVE_EDGE * sum / (edges * target_length), before = part(v);
-      part_[v] = float((std::min)(before, (std::max)(SMALLEST * before, bound)));
-      if (part(v) < before) sunk.push_back(v);
+      if (bound >= before || !is_settled(v)) continue;
+      part_[v] = float((std::max)(SMALLEST * before, bound));
+      sunk.push_back(v);
     }
     bound_slope(mesh, target_length, rate, sunk, [&](Index v) { return !mesh.is_on_curve(v); });
   }
