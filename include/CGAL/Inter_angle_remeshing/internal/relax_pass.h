@@ -45,6 +45,9 @@ constexpr int STEP_TRIALS = 3;
 constexpr double SAFE_STEP = 0.75;
 // λ of a slide, and the largest part of the way to the next vertex of the curve that it takes.
 constexpr double SLIDE_RELAXATION = 1.3, LONGEST_SLIDE = 0.6;
+// Steps that have to be tested are not worth it when they are shorter than this part of a safe step, or of the way to the nearer
+// vertex on the curve.
+constexpr double NEGLIGIBLE_STEP = 0.045, NEGLIGIBLE_SLIDE = 0.03;
 
 // When vertices are pulled back onto the surface; guarded steps always are.
 enum class Pull_back { never, after_last_sweep };
@@ -323,6 +326,7 @@ BOOST_FORCEINLINE void Relaxation::take_step(std::size_t i, const Vector3& step)
 // Projects at once.
 inline void Relaxation::take_guarded_step(std::size_t i, const Vector3& step, const Projection& projector)
 {
+  if (squared_length(step) < NEGLIGIBLE_STEP * NEGLIGIBLE_STEP * safe_step_[i]) return;
   double factor = 1;
   for (int trial = 0; trial < STEP_TRIALS; ++trial, factor /= 2) {
     Index hint = data_.hint[i];
@@ -366,6 +370,7 @@ inline void Relaxation::slide(std::size_t i)
   if (!(l > 0)) return;
   const double wanted = SLIDE_RELAXATION * dot(to_uniform_centre(i), along) / l;
   double shift = (std::min)(LONGEST_SLIDE * high, (std::max)(LONGEST_SLIDE * low, wanted));
+  if (std::abs(shift) < NEGLIGIBLE_SLIDE * (std::min)(-low, high)) return;
   for (int trial = 0; trial < STEP_TRIALS; ++trial, shift /= 2) {
     const Vector3 q = curves_.point(curve, t + shift);
     if (!keeps_faces(i, q, false)) continue;
