@@ -70,6 +70,8 @@ private:
   static constexpr unsigned LAST_ITERATIONS = 2;
   // The iteration from which on glides pay: before, splits and collapses stir the valences up too much.
   static constexpr unsigned FIRST_GLIDES = 2;
+  // The iteration from which on short edges of curves are there to stay.
+  static constexpr unsigned SETTLED_CURVES = 5;
   // Once an iteration does no more than one operation for so many faces, only the last ones are left to do.
   static constexpr std::size_t SETTLED = 1000;
   // Once it does no more than one operation for so many faces, and more than this part of the faces is out of the band, splits for
@@ -294,14 +296,14 @@ private:
     return ratio > 2 ? 1 + int(std::log2(ratio)) : 0;
   }
 
-  // Edges of curves that are still to be collapsed are those of the input: they tell nothing about details, unless the last
-  // iterations find them still there.
+  // Short edges that curves could do without are those of the input, at first: they tell nothing about details.
   void measure_grading()
   {
     if (!(context_.target_length > 0) || !context_.is_graded()) return;
     context_.grading.read<ConcurrencyTag>(mesh_, context_.sizing, context_.locator, context_.target_length);
     if (!(context_.grading_rate > 0)) return;
-    const bool are_curves_settled = is_late() || !context_.may_collapse_constraints || context_.collapse_rule.is_never();
+    const bool are_curves_settled = report_.iterations >= SETTLED_CURVES || !context_.may_collapse_constraints ||
+                                    context_.collapse_rule.is_never();
     context_.grading.sink(mesh_, context_.target_length, context_.grading_rate, [&](Index v) {
       return are_curves_settled || !has_surplus_curve_edge(context_, v); });
   }
