@@ -103,45 +103,45 @@ struct Expectation
 
 const Expectation EXPECTATIONS[] = {
   // closed and smooth; of genus 0 where nothing else is said
-  {"bear_bis",             1,  BOTH,     42,  88,   56.2},
-  {"blobby",               2,  BOTH,     42,  88,   56.8},
-  {"cactus",               1,  BOTH,     42,  88,   54.9},
-  {"cactus",               .5, BOTH,     42,  88,   56.2},
-  {"ellipsoid",            1,  BOTH,     42,  88,   55.8},
-  {"ellipsoid",            .5, BOTH,     42,  88,   56.6},
-  {"knot1",                1,  BOTH,     42,  88,   56.0},  // genus 1
-  {"knot2",                2,  BOTH,     42,  88,   55.2},  // two of genus 1
-  {"eight",                1,  BOTH,     42,  88,   52.7},  // genus 2
-  {"elephant",             1,  EMBEDDED, 37,  88,   55.4},  // genus 3
-  {"armadillo",            1,  EMBEDDED, 40,  88,   56.6},
-  {"hand",                 1,  EMBEDDED, 17, 104,  55.3},
-  {"retinal",              .5, BOTH,     42,  88,   57.0},
-  {"bones",                1,  NOTHING,  27, 91,   53.7},  // 26 components that intersect each other
+  {"bear_bis",             1,  BOTH,     42,  88,  56.2},
+  {"blobby",               2,  BOTH,     42,  88,  56.8},
+  {"cactus",               1,  BOTH,     42,  88,  54.9},
+  {"cactus",               .5, BOTH,     42,  88,  56.2},
+  {"ellipsoid",            1,  BOTH,     42,  88,  55.8},
+  {"ellipsoid",            .5, BOTH,     42,  88,  57.6},
+  {"knot1",                1,  BOTH,     42,  88,  56.0},  // genus 1
+  {"knot2",                2,  BOTH,     42,  88,  55.2},  // two of genus 1
+  {"eight",                1,  BOTH,     42,  88,  52.7},  // genus 2
+  {"elephant",             1,  EMBEDDED, 39,  88,  55.5},  // genus 3
+  {"armadillo",            1,  EMBEDDED, 40,  88,  56.6},
+  {"hand",                 1,  EMBEDDED, 31, 104,  55.3},
+  {"retinal",              .5, BOTH,     42,  88,  57.5},
+  {"bones",                1,  NOTHING,  37,  91,  53.8},  // 26 components that intersect each other
   // closed and smooth, with a sixty-fourth of the faces
-  {"homer",                8,  EMBEDDED, 37,  90,   48.8},
-  {"bear",                 8,  EMBEDDED, 39,  90,   52.2},
-  {"bunny00",              8,  EMBEDDED, 39,  90,   54.9},
-  {"armadillo",            8,  NOTHING,  39,  90,   51.3},  // crosses itself at two of the nine lengths
+  {"homer",                8,  EMBEDDED, 39,  90,  48.8},
+  {"bear",                 8,  EMBEDDED, 39,  89,  52.2},
+  {"bunny00",              8,  EMBEDDED, 39,  89,  54.9},
+  {"armadillo",            8,  NOTHING,  39,  90,  51.3},  // crosses itself at two of the nine lengths
   // CAD
-  {"cube-meshed",          1,  BOTH,     24, 109,  53.4},
-  {"fandisk",              2,  BOTH,     17, 111,  53.7},
-  {"anchor_dense",         1,  BOTH,     22, 115,  53.9},  // genus 4
-  {"joint",                1,  BOTH,     17, 113,  50.2},  // genus 2, faces as long as the model
-  {"cheese",               1,  EMBEDDED, 0,  172,  50.1},  // genus 133
+  {"cube-meshed",          1,  BOTH,     31, 103,  54.0},
+  {"fandisk",              2,  BOTH,     17, 105,  53.8},
+  {"anchor_dense",         1,  BOTH,     22, 106,  54.3},  // genus 4
+  {"joint",                1,  BOTH,     23, 106,  49.3},  // genus 2, faces as long as the model
+  {"cheese",               1,  EMBEDDED,  0, 172,  50.6},  // genus 133
   // with borders
-  {"patch-30",             1,  BOTH,     26, 104,  54.2},  // one border
-  {"mushroom",             1,  BOTH,     31, 103,  56.1},  // one border
+  {"patch-30",             1,  BOTH,     31, 103,  54.2},  // one border
+  {"mushroom",             1,  BOTH,     31, 103,  56.4},  // one border
   {"three_peaks",          .5, BOTH,     32, 103,  56.7},  // one border
-  {"nefertiti",            1,  BOTH,     23, 105,  54.7},  // one border
-  {"lion-head",            1,  EMBEDDED, 22, 103,  56.2},  // one border
-  {"holes",                1,  BOTH,     24, 106,  56.1},  // seven borders
-  {"horizons",             1,  BOTH,     32, 103,  56.0},  // two components with a border each
-  {"blobby_3cc",           1,  BOTH,     14, 146,  55.1},  // three components, four borders
-  {"mech-holes-shark",     2,  EMBEDDED, 14, 124,  54.7},  // four borders
-  {"elephant-with-holes",  1,  NOTHING,  14, 137,  50.2},  // 106 borders
-  {"ALSTOM_TEST4",         1,  NOTHING,  11, 152,  53.3},  // six flat components with a border each
+  {"nefertiti",            1,  BOTH,     30, 103,  54.7},  // one border
+  {"lion-head",            1,  EMBEDDED, 31, 103,  56.2},  // one border
+  {"holes",                1,  BOTH,     30, 106,  56.1},  // seven borders
+  {"horizons",             1,  BOTH,     32, 103,  56.3},  // two components with a border each
+  {"blobby_3cc",           1,  BOTH,     30, 106,  55.3},  // three components, four borders
+  {"mech-holes-shark",     2,  EMBEDDED, 14, 111,  54.7},  // four borders
+  {"elephant-with-holes",  1,  NOTHING,  23, 109,  50.8},  // 106 borders
+  {"ALSTOM_TEST4",         1,  NOTHING,  12, 146,  53.3},  // six flat components with a border each
   // with degenerate faces, four of eight
-  {"degtri_sliding",       1,  NOTHING,  0,  180,  32.8},
+  {"degtri_sliding",       1,  NOTHING,  19, 110,  40.8},
 };
 
 std::string name_of(const Expectation& e) { return std::string(e.name) + " at " + std::to_string(e.factor); }
@@ -556,9 +556,29 @@ std::pair<Quality, Quality> ours_and_that_of_pmp(const Mesh& input, double lengt
   return {Quality(ours, input), Quality(theirs, input)};
 }
 
-// Measured: 1.9 to 4.6 degrees more on the average; at most 1.6 times PMP's Hausdorff and 1.4 times its mean distance.
-constexpr double AVERAGE_GAIN = 1.5;
-constexpr double HAUSDORFF_FACTOR = 1.8, MEAN_DISTANCE_FACTOR = 1.5;
+// What is gained on PMP, as the mean of three lengths: at one alone, a handful of faces decides on tenths of a degree.
+struct Gain
+{
+  double average_angle = 0;                 // degrees
+  double hausdorff = 0, mean_distance = 0;  // parts of PMP's
+};
+
+Gain gain_on_pmp(const Mesh& input)
+{
+  Gain gain;
+  const double lengths[] = {.98, 1., 1.02};
+  for(const double length : lengths)
+  {
+    const auto [ours, theirs] = ours_and_that_of_pmp(input, length * mean_edge_length(input));
+    gain.average_angle += (ours.average_angle - theirs.average_angle) / std::size(lengths);
+    gain.hausdorff += ours.hausdorff / theirs.hausdorff / std::size(lengths);
+    gain.mean_distance += ours.mean_distance / theirs.mean_distance / std::size(lengths);
+  }
+  return gain;
+}
+
+// Measured: 1.58 to 4.64 degrees; .41 to .83 and .45 to .73.
+constexpr double AVERAGE_GAIN = 1.5, HAUSDORFF_FACTOR = 1, MEAN_DISTANCE_FACTOR = .85;
 
 void angles_are_better_than_those_of_polygon_mesh_processing()
 {
@@ -566,14 +586,10 @@ void angles_are_better_than_those_of_polygon_mesh_processing()
     return;
   for(const char* name : ORGANIC)
   {
-    const Mesh& input = mesh_of_cgal(name);
-    const auto [ours, theirs] = ours_and_that_of_pmp(input, mean_edge_length(input));
-    CHECK_MESSAGE(ours.average_angle >= theirs.average_angle + AVERAGE_GAIN,
-                  name << ": " << ours.average_angle << " and " << theirs.average_angle);
-    CHECK_MESSAGE(ours.hausdorff <= HAUSDORFF_FACTOR * theirs.hausdorff,
-                  name << ": " << ours.hausdorff << " and " << theirs.hausdorff);
-    CHECK_MESSAGE(ours.mean_distance <= MEAN_DISTANCE_FACTOR * theirs.mean_distance,
-                  name << ": " << ours.mean_distance << " and " << theirs.mean_distance);
+    const Gain gain = gain_on_pmp(mesh_of_cgal(name));
+    CHECK_MESSAGE(gain.average_angle >= AVERAGE_GAIN, name << ": " << gain.average_angle);
+    CHECK_MESSAGE(gain.hausdorff <= HAUSDORFF_FACTOR, name << ": " << gain.hausdorff);
+    CHECK_MESSAGE(gain.mean_distance <= MEAN_DISTANCE_FACTOR, name << ": " << gain.mean_distance);
   }
 }
 
@@ -593,16 +609,9 @@ void measure_organic_meshes()
     std::printf("; by target_edge_length():");
     for(const double factor : {.5, 1., 2.})
       std::printf(" %.4f", yield(input, std::round(factor * double(input.number_of_faces()))));
-    double gain = 60, hausdorff = 0, mean = 0;
-    for(const double nearby : {.98, 1., 1.02})
-    {
-      const auto [ours, theirs] = ours_and_that_of_pmp(input, nearby * mean_edge_length(input));
-      gain = (std::min)(gain, ours.average_angle - theirs.average_angle);
-      hausdorff = (std::max)(hausdorff, ours.hausdorff / theirs.hausdorff);
-      mean = (std::max)(mean, ours.mean_distance / theirs.mean_distance);
-    }
-    std::printf("; against PMP: average %+.2f, Hausdorff distance x %.2f, mean distance x %.2f\n", gain, hausdorff,
-                mean);
+    const Gain gain = gain_on_pmp(input);
+    std::printf("; against PMP: average %+.2f, Hausdorff distance x %.2f, mean distance x %.2f\n", gain.average_angle,
+                gain.hausdorff, gain.mean_distance);
   }
 }
 
