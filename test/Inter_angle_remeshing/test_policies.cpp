@@ -720,15 +720,17 @@ void a_policy_sees_the_mesh_as_the_user_has_it()
     constrained[e] = unsigned(e) % 5 == 0;
   const std::vector<bool> was_constrained(constrained.begin(), constrained.end());
 
+  IAR::Recipe recipe;
+  recipe.grading = 0;                    // one length everywhere, although the constrained edges have details
   std::vector<Told> splits, collapses;
-  IAR::isotropic_remeshing(length, m,
+  IAR::isotropic_remeshing(faces(m), length, m, IAR::recipe(recipe,
     parameters::number_of_iterations(1).do_project(false).number_of_relaxation_steps(0).edge_is_constrained_map(constrained)
                .do_split([&](const auto& edge) { splits.push_back(tell(edge)); return false; })
                .do_collapse([&](const auto& edge) { collapses.push_back(tell(edge)); return false; })
-               .do_flip(false));
+               .do_flip(false)));
 
   // edges that are too long were asked for, the longest of all among them
-  const double too_long = IAR::Recipe().split_ratio * length;
+  const double too_long = recipe.split_ratio * length;
   std::size_t long_edges = 0, border_edges = 0, constrained_edges = 0;
   double longest = 0, longest_asked = 0;
   for(const auto e : copy.edges())

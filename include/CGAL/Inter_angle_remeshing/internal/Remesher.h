@@ -296,13 +296,12 @@ private:
     return ratio > 2 ? 1 + int(std::log2(ratio)) : 0;
   }
 
-  // Before the first iteration, all short edges of curves are those of the input, and later at first those that the curves could do
-  // without: they tell nothing about details.
+  // Short edges that curves could do without are those of the input, at first: they tell nothing about details.
   void measure_grading()
   {
     if (!(context_.target_length > 0) || !context_.is_graded()) return;
     context_.grading.read<ConcurrencyTag>(mesh_, context_.sizing, context_.locator, context_.target_length);
-    if (!(context_.grading_rate > 0) || report_.iterations == 0) return;
+    if (!(context_.grading_rate > 0)) return;
     const bool are_curves_settled = report_.iterations >= SETTLED_CURVES || !context_.may_collapse_constraints ||
                                     context_.collapse_rule.is_never();
     context_.grading.sink(mesh_, context_.target_length, context_.grading_rate, [&](Index v) {
