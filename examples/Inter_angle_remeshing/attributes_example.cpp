@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
 #include <iostream>
 #include <string>
 
@@ -53,7 +52,7 @@ int main(int argc, char* argv[])
     return sum / std::sqrt(sum.squared_length());
   });
   transfer.add_face_map(material);
-  IAR::isotropic_remeshing(IAR::Face_count(10000), mesh, CGAL::parameters::visitor(std::ref(transfer)).face_patch_map(material));
+  IAR::isotropic_remeshing(IAR::Face_count(10000), mesh, CGAL::parameters::visitor(transfer).face_patch_map(material));
 
   double error = 0, length = 0;
   for(const Mesh::Vertex_index v : mesh.vertices())

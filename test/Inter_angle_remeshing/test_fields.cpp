@@ -518,9 +518,12 @@ void linear_functions_are_kept()
   transfer.add_vertex_map(vector);
   transfer.add_vertex_map(texture);
   transfer.add_vertex_map(id, IAR::Nearest_value());
-  for(int run = 0; run < 2; ++run)     // the helper can be used again
+  for(int run = 0; run < 2; ++run)     // the helper can be used again, itself or a copy
   {
-    IAR::isotropic_remeshing((run == 0 ? .4 : 1.7) * mean_edge_length(m), m, parameters::visitor(std::ref(transfer)));
+    if(run == 0)
+      IAR::isotropic_remeshing(.4 * mean_edge_length(m), m, parameters::visitor(transfer));
+    else
+      IAR::isotropic_remeshing(1.7 * mean_edge_length(m), m, parameters::visitor(std::ref(transfer)));
     for(const Vertex v : m.vertices())
     {
       const Point p = m.point(v);

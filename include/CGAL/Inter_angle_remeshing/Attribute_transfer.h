@@ -68,7 +68,7 @@ same patch. Vertices that have not moved keep their values to the last bit.
 Attribute_transfer<Mesh> transfer;
 transfer.add_vertex_map(colours);
 transfer.add_face_map(materials);
-isotropic_remeshing(faces(mesh), 0.02, mesh, parameters::visitor(std::ref(transfer)));
+isotropic_remeshing(faces(mesh), 0.02, mesh, parameters::visitor(transfer));
 \endcode
 
 Values are read before the mesh is changed, and written when the result stands: an exception from a map or an interpolation while
@@ -76,6 +76,9 @@ reading leaves everything as it was. The maps must stay valid while elements are
 of `Surface_mesh`, and dynamic property maps. At a seam, where an attribute has two values at one vertex, as texture
 coordinates have, this does not help, and there is no map for half-edges: mark seams as constrained edges, which keeps them in their
 places, carry the number of the chart as an attribute of faces, and look up what corners need in that chart of the input.
+
+A copy shares the attributes and what is read of them with the original: that one may be handed over as it is, or by `std::ref()`,
+but not to two runs at a time.
 
 Complexity: linear in the size of the result.
 
@@ -105,13 +108,13 @@ public:
   template <class VertexMap, class Interpolation = Linear_interpolation>
   void add_vertex_map(VertexMap map, Interpolation interpolation = Interpolation())
   {
-    vertex_maps_.push_back(std::make_unique<Vertex_carrier<VertexMap, Interpolation>>(map, std::move(interpolation)));
+    vertex_maps_.push_back(std::make_shared<Vertex_carrier<VertexMap, Interpolation>>(map, std::move(interpolation)));
   }
 
   /// adds an attribute of the faces.
   /// @tparam FaceMap a class model of `ReadWritePropertyMap` with the faces of `TriangleMesh` as key type
   template <class FaceMap>
-  void add_face_map(FaceMap map) { face_maps_.push_back(std::make_unique<Face_carrier<FaceMap>>(map)); }
+  void add_face_map(FaceMap map) { face_maps_.push_back(std::make_shared<Face_carrier<FaceMap>>(map)); }
 
   /// \name Called by the remesher
   /// @{
@@ -203,8 +206,8 @@ private:
     Values<typename boost::property_traits<Map>::value_type> values_;
   };
 
-  std::vector<std::unique_ptr<Vertex_carrier_base>> vertex_maps_;
-  std::vector<std::unique_ptr<Face_carrier_base>> face_maps_;
+  std::vector<std::shared_ptr<Vertex_carrier_base>> vertex_maps_;
+  std::vector<std::shared_ptr<Face_carrier_base>> face_maps_;
 };
 
 } // namespace Inter_angle_remeshing
