@@ -92,7 +92,8 @@ enum Promises : unsigned
 };
 
 // Bounds: the band for smooth closed models; for others the worst of nine runs whose lengths differ by up to 3% (`measure` prints
-// it), and beyond it 3 degrees for the extreme angles and .2 degrees for the average.
+// it), and beyond it 3 degrees for the extreme angles and .2 degrees for the average. Stricter ones of earlier times stay where the length
+// that is tested holds them.
 struct Expectation
 {
   const char* name;
@@ -123,11 +124,11 @@ const Expectation EXPECTATIONS[] = {
   {"bunny00",              8,  EMBEDDED, 39,  89,  54.9},
   {"armadillo",            8,  NOTHING,  39,  90,  51.3},  // crosses itself at two of the nine lengths
   // CAD
-  {"cube-meshed",          1,  BOTH,     31, 103,  54.0},
+  {"cube-meshed",          1,  BOTH,     31, 103,  54.2},
   {"fandisk",              2,  BOTH,     17, 105,  53.7},
-  {"anchor_dense",         1,  BOTH,     22, 106,  54.3},  // genus 4
-  {"joint",                1,  BOTH,     23, 106,  48.8},  // genus 2, faces as long as the model
-  {"cheese",               1,  EMBEDDED,  0, 172,  50.6},  // genus 133
+  {"anchor_dense",         1,  BOTH,     22, 105,  54.3},  // genus 4
+  {"joint",                1,  BOTH,     24, 106,  48.8},  // genus 2, faces as long as the model
+  {"cheese",               1,  EMBEDDED,  0, 172,  50.6},  // genus 133; crosses itself at three of the nine lengths
   // with borders
   {"patch-30",             1,  BOTH,     31, 103,  54.2},  // one border
   {"mushroom",             1,  BOTH,     31, 103,  56.4},  // one border
@@ -136,10 +137,10 @@ const Expectation EXPECTATIONS[] = {
   {"lion-head",            1,  EMBEDDED, 31, 103,  56.2},  // one border
   {"holes",                1,  BOTH,     30, 106,  56.1},  // seven borders
   {"horizons",             1,  BOTH,     32, 103,  56.3},  // two components with a border each
-  {"blobby_3cc",           1,  BOTH,     30, 106,  55.1},  // three components, four borders
-  {"mech-holes-shark",     2,  EMBEDDED, 14, 111,  54.7},  // four borders
-  {"elephant-with-holes",  1,  NOTHING,  23, 109,  50.8},  // 106 borders
-  {"ALSTOM_TEST4",         1,  NOTHING,  12, 146,  52.3},  // six flat components with a border each
+  {"blobby_3cc",           1,  BOTH,     30, 104,  55.1},  // three components, four borders
+  {"mech-holes-shark",     2,  EMBEDDED, 14, 111,  54.8},  // four borders
+  {"elephant-with-holes",  1,  NOTHING,  25, 109,  50.8},  // 106 borders
+  {"ALSTOM_TEST4",         1,  NOTHING,  14, 146,  52.3},  // six flat components with a border each
   // with degenerate faces, four of eight
   {"degtri_sliding",       1,  NOTHING,  19, 110,  40.8},
 };
