@@ -13,6 +13,7 @@
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/property_map.h>
+#include <CGAL/tags.h>
 
 #include "Polyhedron_twin.h"
 #include "check.h"
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -801,6 +803,38 @@ Quality quality(const Mesh& m)
   return result;
 }
 
+// Any type is taken that stands for a number or a bool; what a number of iterations has behind the point is dropped.
+template <class Engine>
+void types_of_arguments_do_not_matter()
+{
+  const Mesh input = sphere();
+  const double length = 1.3 * mean_edge_length(input);
+  Mesh a = input, b = input;
+  Engine::run(a.faces(), length, a, parameters::number_of_iterations(2u).number_of_relaxation_steps(3u).protect_constraints(false)
+                                              .do_split(false));
+  Engine::run(b.faces(), length, b, parameters::number_of_iterations(2.75).number_of_relaxation_steps(3.f)
+                                              .protect_constraints(CGAL::Tag_false()).do_split(CGAL::Tag_false()));
+  CHECK_MESSAGE(std::equal(a.points().begin(), a.points().end(), b.points().begin(), b.points().end()), Engine::NAME);
+  CHECK_MESSAGE(a.number_of_faces() < input.number_of_faces(), Engine::NAME);
+}
+
+void lengths_are_numbers_of_any_type()
+{
+  const auto remeshed = [](const auto& length) {
+    Mesh m = meshes::to_mesh<Mesh>(meshes::cube(6));
+    for(const Vertex v : m.vertices())
+      m.point(v) = Point(9 * m.point(v).x(), 9 * m.point(v).y(), 9 * m.point(v).z());
+    CGAL::Inter_angle_remeshing::isotropic_remeshing(length, m, parameters::number_of_iterations(1));
+    return std::vector<Point>(m.points().begin(), m.points().end());
+  };
+  const std::vector<Point> expected = remeshed(2.);
+  CHECK(remeshed(2) == expected);
+  CHECK(remeshed(2u) == expected);
+  CHECK(remeshed(2.f) == expected);
+  CHECK(remeshed(std::size_t(2)) == expected);
+  CHECK(remeshed(short(2)) == expected);
+}
+
 void triangles_are_better()
 {
   for(const double factor : {.7, 1., 1.4})
@@ -846,6 +880,7 @@ void check_all()
   removed_edges_are_not_left_in_the_map<Engine>();
   protected_sharp_edges_leave_no_crossings<Engine>();
   everything_may_be_constrained<Engine>();
+  types_of_arguments_do_not_matter<Engine>();
 }
 
 int main()
@@ -857,6 +892,7 @@ int main()
   small_ranges_do_not_move_the_mesh();
   patches_of_a_users_own_type_stay_apart();
   a_face_that_is_no_triangle_is_refused();
+  lengths_are_numbers_of_any_type();
   triangles_are_better();
   return result();
 }

@@ -192,6 +192,8 @@ void parameters_out_of_their_range_are_refused()
   for(const double angle : {-1., -1e-9, 180.001, 1000., NOT_A_NUMBER, INFINITE})
     check("sharpness_angle is " + to_text(angle), parameters::sharpness_angle(angle));
   check("number_of_iterations is -1", parameters::number_of_iterations(-1));
+  check("number_of_iterations is nan", parameters::number_of_iterations(NOT_A_NUMBER));
+  check("number_of_relaxation_steps is inf", parameters::number_of_relaxation_steps(INFINITE));
   check("number_of_relaxation_steps is -2", parameters::number_of_relaxation_steps(-2));
 
   // at the ends of the ranges nothing is refused

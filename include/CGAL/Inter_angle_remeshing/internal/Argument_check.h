@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_ARGUMENT_CHECK_H
 
 #include <CGAL/Inter_angle_remeshing/internal/named_parameters.h>
+#include <CGAL/Inter_angle_remeshing/internal/numbers.h>
 #include <CGAL/Inter_angle_remeshing/internal/run_with_projector.h>
 #include <CGAL/Inter_angle_remeshing/internal/target_of_run.h>
 
@@ -124,7 +125,7 @@ constexpr bool is_map_of_points()
 template <class Given, class Vertex>
 constexpr bool is_rule()
 {
-  return std::is_same<Given, Not_given>::value || std::is_arithmetic<Given>::value ||
+  return std::is_same<Given, Not_given>::value || Is_choice<Given>::value ||
          std::is_invocable_r<bool, const Given&, const Run_profile<Vertex>&>::value;
 }
 
@@ -187,9 +188,9 @@ struct Is_visitor<Not_given, void> : std::true_type {};
 // --- all of them -------------------------------------------------------------------------------------------------
 
 template <class... Given>
-constexpr bool are_bools() { return ((std::is_same<Given, Not_given>::value || std::is_arithmetic<Given>::value) && ...); }
+constexpr bool are_bools() { return ((std::is_same<Given, Not_given>::value || Is_choice<Given>::value) && ...); }
 template <class... Given>
-constexpr bool are_counts() { return ((std::is_same<Given, Not_given>::value || std::is_integral<Given>::value) && ...); }
+constexpr bool are_counts() { return ((std::is_same<Given, Not_given>::value || std::is_arithmetic<Given>::value) && ...); }
 
 template <class Angle>
 constexpr bool is_angle()
@@ -282,7 +283,7 @@ private:
   static_assert(HAS_BOOLS, "do_project, protect_constraints, collapse_constraints, relax_constraints, verbose: expected a bool.");
   static constexpr bool HAS_COUNTS =
     are_counts<Given<CGAL::internal_np::number_of_iterations_t>, Given<CGAL::internal_np::number_of_relaxation_steps_t>>();
-  static_assert(HAS_COUNTS, "number_of_iterations, number_of_relaxation_steps: expected an integer.");
+  static_assert(HAS_COUNTS, "number_of_iterations, number_of_relaxation_steps: expected a number.");
   static constexpr bool HAS_ANGLE = is_angle<Given<CGAL::internal_np::sharpness_angle_t>>();
   static_assert(HAS_ANGLE, "sharpness_angle: expected a number, in degrees.");
   static constexpr bool HAS_NOTHING_ELSE = std::is_same<Given<CGAL::internal_np::allow_move_functor_t>, Not_given>::value;

@@ -9,12 +9,12 @@
 #include <CGAL/Inter_angle_remeshing/internal/Edge_rule.h>
 #include <CGAL/Inter_angle_remeshing/internal/Run_visitor.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
+#include <CGAL/Inter_angle_remeshing/internal/numbers.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 #include <CGAL/Inter_angle_remeshing/internal/target_of_run.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_type_config.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -52,7 +52,7 @@ Preset policy_from(const Not_given&, const Preset& preset) { return preset; }
 template <class Given, class Preset>
 auto policy_from(const Given& given, const Preset&)
 {
-  if constexpr (std::is_arithmetic<Given>::value) return bool(given); else return given;
+  if constexpr (Is_choice<Given>::value) return bool(given); else return given;
 }
 
 // Whether no rule of the user's was given.
@@ -60,7 +60,7 @@ inline bool is_left_to_the_recipe(const Not_given&) { return true; }
 template <class Given>
 bool is_left_to_the_recipe(const Given& given)
 {
-  if constexpr (std::is_arithmetic<Given>::value) return bool(given);
+  if constexpr (Is_choice<Given>::value) return bool(given);
   else { (void)given; return false; }
 }
 
@@ -80,16 +80,17 @@ std::function<bool(double)> callback_from(const Callback& callback)
 template <class Angle>
 double sharpness_cosine(const Angle& angle)
 {
-  const double degrees = CGAL::to_double(angle);
+  const double degrees = number_to_double(angle);
   if (!(degrees >= 0 && degrees <= 180))
     refuse("isotropic_remeshing()", "sharpness_angle is " + to_text(degrees) + "; it must lie in [0, 180]");
   return degrees < 180 ? std::cos(degrees * (CGAL_PI / 180)) : -2;
 }
 
+// What a number has behind the point is dropped.
 template <class Count>
 unsigned count_from(const Count& count, const char* name)
 {
-  if (count < Count(0) || static_cast<unsigned long long>(count) > (std::numeric_limits<unsigned>::max)())
+  if (!(count >= Count(0)) || double(count) > double((std::numeric_limits<unsigned>::max)()))
     refuse("isotropic_remeshing()", std::string(name) + " is " + std::to_string(count) +
                                     "; it must be neither negative nor more than an unsigned int holds");
   return static_cast<unsigned>(count);

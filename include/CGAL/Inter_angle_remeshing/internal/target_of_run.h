@@ -6,12 +6,12 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_TARGET_OF_RUN_H
 
 #include <CGAL/Inter_angle_remeshing/Face_count.h>
+#include <CGAL/Inter_angle_remeshing/internal/numbers.h>
 #include <CGAL/Inter_angle_remeshing/internal/referred.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 #include <CGAL/Inter_angle_remeshing/internal/sizing.h>
 #include <CGAL/Inter_angle_remeshing/target_edge_length.h>
 
-#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -72,15 +72,11 @@ inline void check_length(double length, double area, double total_edge_length, d
                       " faces were needed; at most " + to_text(MAXIMUM_NUMBER_OF_FACES) + " can be indexed");
 }
 
-template <class Length>
-using Is_number = std::bool_constant<!std::is_same<typename CGAL::Algebraic_structure_traits<Length>::Algebraic_category,
-                                                   CGAL::Null_tag>::value>;
-
 // The same where there is no mesh to compare with.
 template <class Length>
 void check_length_value(const Length& length)
 {
-  if constexpr (Is_number<Length>::value) check_length(CGAL::to_double(length), 0, 0, 1); else (void)length;
+  if constexpr (Is_number<Length>::value) check_length(number_to_double(length), 0, 0, 1); else (void)length;
 }
 
 inline double length_for_faces(std::size_t n, double area)
@@ -132,7 +128,7 @@ Target read_target(const Length& length, Exchange& exchange, TriangleMesh& tmesh
     result.faces = length.count.value;
     result.length = length_for_faces(result.faces, range_area);
   } else if constexpr (Is_number<Length>::value) {
-    const double wanted = CGAL::to_double(length);
+    const double wanted = number_to_double(length);
     result.length = std::isfinite(wanted) ? wanted / mesh.unit() : wanted;
   } else
     result = read_field(referred(length), exchange, tmesh, vpm);
