@@ -78,8 +78,6 @@ private:
   // this part of the length, or collapses for so many times the length where the mesh is too dense, stir it up.
   static constexpr std::size_t HARDLY_MOVING = 100;
   static constexpr double SKEWED = 0.1, STIRRED_BY_SPLITS = 0.9, STIRRED_BY_COLLAPSES = 1.25;
-  // Edges that need more halvings than this are far too long to be flipped, or their ends to be moved.
-  static constexpr int FEW_HALVINGS = 4;
   // A mesh of more than so many times the faces that its area asks for is coarsened in up to so many rounds, as long as each leaves
   // less than this part of the faces.
   static constexpr double TOO_DENSE = 1.5, COARSENED = 0.97;
@@ -278,13 +276,12 @@ private:
   }
 
   // Whether edges are so much too long that the input's own, halved, are better than what flips and sweeps would make of them: faces
-  // that long, turned a little, cut through what lies between them. `before` is halvings_to_do() before the last splits, which must
-  // have shortened the longest edges.
+  // that long, turned a little, cut through what lies between them, and vertices at short edges are drawn to the far ends of long
+  // ones. `before` is halvings_to_do() before the last splits, which must have shortened the longest edges.
   bool is_only_to_be_split(int before) const
   {
-    if (before <= FEW_HALVINGS) return false;
-    const int now = halvings_to_do();
-    return now > FEW_HALVINGS && now < before;
+    const int now = before > 0 ? halvings_to_do() : 0;
+    return now > 0 && now < before;
   }
 
   // How often the longest edge must be halved until it is no longer far too long.
