@@ -14,6 +14,8 @@
 #include <CGAL/Inter_angle_remeshing/triangle_quality.h>
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/clip.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
@@ -245,6 +247,42 @@ void organic_models_have_next_to_none()
     ++models;
   }
   CHECK(models >= (meshes::is_small_run() ? 4u : 20u));
+}
+
+// An animal that was cut off by a plane keeps the rim of the cut, wherever that meets a crease.
+void rims_of_cuts_are_features()
+{
+  const auto middle = [](double low, double high) { return .45 * low + .55 * high; };
+  for(const auto& [name, normal] : {std::make_pair("knot1", Vector(.3, .5, .81)), std::make_pair("homer", Vector(1, .2, -.4)),
+                                    std::make_pair("dino", Vector(0, 1, 0))})
+  {
+    Mesh m = read(name);
+    const CGAL::Bbox_3 box = PMP::bbox(m);
+    const Kernel::Plane_3 plane(Point(middle(box.xmin(), box.xmax()), middle(box.ymin(), box.ymax()), middle(box.zmin(), box.zmax())),
+                                normal);
+    CHECK_MESSAGE(PMP::clip(m, plane, parameters::clip_volume(true)) && CGAL::is_triangle_mesh(m), name);
+    m.collect_garbage();
+    const double length = mean_edge_length(m);
+    const auto is_on_plane = [&](Vertex v) { return CGAL::squared_distance(plane, m.point(v)) < 1e-12 * length * length; };
+    const auto is_cut = [&](Face f) {
+      const auto h = m.halfedge(f);
+      return is_on_plane(m.source(h)) && is_on_plane(m.target(h)) && is_on_plane(m.target(m.next(h)));
+    };
+    const std::set<Edge> found = found_features(m);
+    double rim = 0, marked = 0;
+    for(const Edge e : m.edges())
+      if(is_cut(m.face(m.halfedge(e))) != is_cut(m.face(m.opposite(m.halfedge(e)))) && dihedral_angle(e, m) >= 60)
+      {
+        rim += edge_length(e, m);
+        marked += found.count(e) > 0 ? edge_length(e, m) : 0;
+      }
+    CHECK_MESSAGE(rim > 20 * length && marked >= .95 * rim, name << ": " << marked << " of " << rim);
+    Mesh remeshed = m;
+    const auto report = IAR::isotropic_remeshing(length, remeshed);
+    CHECK_MESSAGE(report.features == Features::outstanding_edges, name);
+    const double distance = IAR::surface_distance(m, remeshed).hausdorff();
+    CHECK_MESSAGE(distance < .5 * length, name << ": " << distance / length);
+  }
 }
 
 void noise_hides_no_edge_and_makes_none()
@@ -955,6 +993,7 @@ int main()
   cylinders_of_few_facets_are_cad_models();
   of_two_sides_of_a_narrow_strip_one_is_a_feature();
   organic_models_have_next_to_none();
+  rims_of_cuts_are_features();
   a_fold_is_no_feature();
   noise_hides_no_edge_and_makes_none();
   a_range_and_other_types_will_do();

@@ -46,9 +46,14 @@ at least 12 edges and five lengths, and of 40 for each end that leads nowhere; h
 more; of two chains side by side the sharper one stays, and one that runs beside itself, as around a slit, does not. The length
 is the mean edge's; of what is found, features are what passes for `scale`, too, where that is longer.
 
+Parts that are planar within half a degree, of at least 12 faces and the area of a square of the mean edge, nothing has that has
+grown: there a model was cut, or given a base. If half of the rim of such a part has 60 degrees and more, all its edges of 30 degrees
+and more are features, in components of at least five lengths, whatever they meet; but of two rims beside a narrow strip only the
+sharper one.
+
 Measured: of the edges over 40 degrees of fandisk.off with a noise of 15% of the edge length, 99% are found, and of what is
 found 99.7% is right. Of the some seventy models of \cgal that are not taken for CAD models, four have any feature, with at most
-0.8% of the edge length.
+0.8% of the edge length. Of ten organic models cut by three planes each, 94 to 100% of the rim are found.
 
 Complexity: linear in the number of faces.
 

@@ -33,11 +33,12 @@ public:
     : mesh_(mesh), length_(length), number_(mesh.number_of_vertex_slots(), -1)
   {}
 
-  void add(Index h, double angle)
+  // Edges that are certain to be features are not dropped by prune().
+  void add(Index h, double angle, bool is_certain = false)
   {
     const std::array<Index, 2> ends = {number_of(mesh_.origin(h)), number_of(mesh_.target(h))};
     for (const Index v : ends) incident_[v].push_back(Index(edges_.size()));
-    edges_.push_back({h, ends, angle, std::sqrt(mesh_.squared_edge_length(h)), true});
+    edges_.push_back({h, ends, angle, std::sqrt(mesh_.squared_edge_length(h)), true, is_certain});
   }
 
   // The half-edges of the edges that are left.
@@ -97,7 +98,7 @@ private:
     Index halfedge;
     std::array<Index, 2> ends;
     double angle, length;              // degrees; units of the mesh
-    bool is_left;
+    bool is_left, is_certain;
   };
   struct Chain
   {
@@ -170,7 +171,11 @@ private:
   }
   void drop(const std::vector<Index>& edges)
   {
-    for (const Index e : edges) edges_[e].is_left = false;
+    for (const Index e : edges) edges_[e].is_left = edges_[e].is_certain;
+  }
+  bool has_certain_edge(const Chain& chain) const
+  {
+    return std::any_of(chain.edges.begin(), chain.edges.end(), [&](Index e) { return edges_[e].is_certain; });
   }
 
   std::vector<std::vector<Index>> components() const;
@@ -382,12 +387,12 @@ inline bool Feature_graph::runs_beside_itself(const Chain& chain) const
   return double(beside) > PARALLEL_SHARE * double(samples.size());
 }
 
-// By the sum of their angles; of equal ones, the first.
+// Those with certain edges, then by the sum of their angles; of equal ones, the first.
 inline std::vector<Feature_graph::Chain> Feature_graph::chains_strongest_first() const
 {
   std::vector<Chain> result = chains();
   std::stable_sort(result.begin(), result.end(), [&](const Chain& a, const Chain& b) {
-    return weighted_angle(a.edges) > weighted_angle(b.edges); });
+    return std::make_pair(has_certain_edge(a), weighted_angle(a.edges)) > std::make_pair(has_certain_edge(b), weighted_angle(b.edges)); });
   return result;
 }
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -45,11 +46,15 @@ public:
   std::vector<Index> features()
   {
     if (is_cad_) return without_narrow_strips(sharp_edges(CAD_ANGLE));
+    const std::vector<Index> rims = rims_of_planar_parts();
     find_active_faces();
-    if (active_.empty()) return {};
+    if (active_.empty() && rims.empty()) return {};
     for (int pass = 0; pass < BILATERAL_PASSES; ++pass) filter_normals();
-    const std::vector<Index> found = long_chains(outstanding_edges(), own_length_);
-    return length_ > own_length_ ? long_chains(found, length_) : found;
+    const std::vector<Index> outstanding = outstanding_edges();
+    std::vector<Index> found;
+    std::set_union(outstanding.begin(), outstanding.end(), rims.begin(), rims.end(), std::back_inserter(found));
+    found = long_chains(found, long_rims(rims, own_length_), own_length_);
+    return length_ > own_length_ ? long_chains(found, long_rims(rims, length_), length_) : found;
   }
 
 private:
@@ -70,6 +75,10 @@ private:
   // The edges in between may be so many times as long as sharp ones that form a network.
   static constexpr double MOST_MILD = 3.5;
   static constexpr double NARROW = 0.05;                // strip, in lengths
+  // A planar part has at least so many faces, and the area of so many squares of the mean edge. Its rim is that of a cut or a base
+  // if this part of its length is this sharp: the terraces of isosurfaces of voxels meet at 45 degrees.
+  static constexpr std::size_t LEAST_PLANAR_FACES = 12;
+  static constexpr double LEAST_PLANAR_AREA = 1, RIM_ANGLE = 60, LEAST_RIM_SHARE = 0.5, LEAST_RIM = 5;    // lengths
   static constexpr int RINGS = 2;                       // around candidates that are filtered
 
   static double cosine_of(double degrees) { return std::cos(degrees * (CGAL_PI / 180)); }
@@ -171,12 +180,22 @@ private:
     return sum;
   }
 
-  // Of these edges, those that form chains and components that are features at the scale of the length.
-  std::vector<Index> long_chains(const std::vector<Index>& edges, double length) const
+  // Of these edges, the certain ones, and those that form chains and components that are features at the scale of the length.
+  std::vector<Index> long_chains(const std::vector<Index>& edges, const std::vector<Index>& certain, double length) const
   {
     Feature_graph graph(mesh_, length);
-    for (const Index h : edges) graph.add(h, angle(h));
+    for (const Index h : edges) graph.add(h, angle(h), std::binary_search(certain.begin(), certain.end(), h));
     graph.prune();
+    return graph.edges();
+  }
+
+  // Of the edges of rims, sorted, those that are certain to be features at the scale of the length.
+  std::vector<Index> long_rims(const std::vector<Index>& rims, double length) const
+  {
+    Feature_graph graph(mesh_, length);
+    for (const Index h : rims) graph.add(h, angle(h));
+    graph.drop_short_components(LEAST_RIM);
+    graph.drop_sides_of_strips(NARROW * length);
     return graph.edges();
   }
 
@@ -189,6 +208,7 @@ private:
     return graph.edges();
   }
 
+  std::vector<Index> rims_of_planar_parts() const;
   // The faces that the filter must look at: some rings around connected edges that are sharp over some length.
   void find_active_faces();
   bool is_candidate(Index h) const;
@@ -208,6 +228,46 @@ private:
   std::vector<char> is_active_;
   std::vector<float> noise_;           // by vertex, degrees; negative: not known yet
 };
+
+// The sharp edges around larger planar parts, sorted, which nothing has that has grown: there the model was cut, closed, or given a
+// base.
+inline std::vector<Feature_detector::Index> Feature_detector::rims_of_planar_parts() const
+{
+  const double planar = cosine_of(PLANAR_ANGLE), rim = cosine_of(RIM_ANGLE), least = cosine_of(LEAST_ANGLE);
+  std::vector<Index> result;
+  std::vector<char> is_seen(mesh_.number_of_face_slots(), 0);
+  for (const Index edge : sharp_edges_)
+    for (const Index side : {edge, mesh_.opposite(edge)}) {
+      const Index first = side >> 2;
+      if (is_seen[first]) continue;
+      is_seen[first] = 1;
+      std::vector<Index> part = {first}, boundary;
+      double area = 0, length = 0, sharp = 0;
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        area += area_[part[i]] / 2;
+        for (Index h = 4 * part[i]; h < 4 * part[i] + 3; ++h) {
+          const Index o = mesh_.opposite(h);
+          if (o < 0) continue;
+          if (dot(normal_[first], normal_[o >> 2]) > planar) {
+            if (is_seen[o >> 2]) continue;
+            is_seen[o >> 2] = 1;
+            part.push_back(o >> 2);
+          } else {
+            const double l = std::sqrt(mesh_.squared_edge_length(h));
+            length += l;
+            sharp += cosine(h) <= rim ? l : 0;
+            if (cosine(h) <= least) boundary.push_back((std::max)(h, o) == h ? o : h);
+          }
+        }
+      }
+      if (part.size() >= LEAST_PLANAR_FACES && area >= LEAST_PLANAR_AREA * own_length_ * own_length_ &&
+          sharp >= LEAST_RIM_SHARE * length)
+        result.insert(result.end(), boundary.begin(), boundary.end());
+    }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
 
 inline bool Feature_detector::is_candidate(Index h) const
 {
