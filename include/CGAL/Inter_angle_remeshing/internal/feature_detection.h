@@ -208,6 +208,7 @@ private:
     return graph.edges();
   }
 
+  void add_rim_of_planar_part(Index first, std::vector<char>& is_seen, std::vector<Index>& rim) const;
   std::vector<Index> rims_of_planar_parts() const;
   // The faces that the filter must look at: some rings around connected edges that are sharp over some length.
   void find_active_faces();
@@ -229,41 +230,44 @@ private:
   std::vector<float> noise_;           // by vertex, degrees; negative: not known yet
 };
 
-// The sharp edges around larger planar parts, sorted, which nothing has that has grown: there the model was cut, closed, or given a
-// base.
+// Whether the planar part around a face, all of whose faces look the way that it does, is that of a cut or a base: nothing that has
+// grown has any. Its faces are marked as seen; of the edges of its rim the sharp ones are added to `rim`.
+inline void Feature_detector::add_rim_of_planar_part(Index first, std::vector<char>& is_seen, std::vector<Index>& rim) const
+{
+  const double planar = cosine_of(PLANAR_ANGLE), clear = cosine_of(RIM_ANGLE), least = cosine_of(LEAST_ANGLE);
+  const std::size_t before = rim.size();
+  std::vector<Index> part = {first};
+  is_seen[first] = 1;
+  double area = 0, length_of_rim = 0, length_of_clear = 0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    area += area_[part[i]] / 2;
+    for (Index h = 4 * part[i]; h < 4 * part[i] + 3; ++h) {
+      const Index o = mesh_.opposite(h);
+      if (o < 0) continue;
+      const Index f = o >> 2;
+      if (dot(normal_[first], normal_[f]) > planar) {
+        if (!is_seen[f]) part.push_back(f);
+        is_seen[f] = 1;
+      } else {
+        const double c = cosine(h), l = std::sqrt(mesh_.squared_edge_length(h));
+        length_of_rim += l;
+        length_of_clear += c <= clear ? l : 0;
+        if (c <= least) rim.push_back((std::min)(h, o));
+      }
+    }
+  }
+  if (part.size() < LEAST_PLANAR_FACES || area < LEAST_PLANAR_AREA * own_length_ * own_length_ ||
+      length_of_clear < LEAST_RIM_SHARE * length_of_rim) rim.resize(before);
+}
+
+// The edges of all such rims, sorted.
 inline std::vector<Feature_detector::Index> Feature_detector::rims_of_planar_parts() const
 {
-  const double planar = cosine_of(PLANAR_ANGLE), rim = cosine_of(RIM_ANGLE), least = cosine_of(LEAST_ANGLE);
   std::vector<Index> result;
   std::vector<char> is_seen(mesh_.number_of_face_slots(), 0);
-  for (const Index edge : sharp_edges_)
-    for (const Index side : {edge, mesh_.opposite(edge)}) {
-      const Index first = side >> 2;
-      if (is_seen[first]) continue;
-      is_seen[first] = 1;
-      std::vector<Index> part = {first}, boundary;
-      double area = 0, length = 0, sharp = 0;
-      for (std::size_t i = 0; i < part.size(); ++i) {
-        area += area_[part[i]] / 2;
-        for (Index h = 4 * part[i]; h < 4 * part[i] + 3; ++h) {
-          const Index o = mesh_.opposite(h);
-          if (o < 0) continue;
-          if (dot(normal_[first], normal_[o >> 2]) > planar) {
-            if (is_seen[o >> 2]) continue;
-            is_seen[o >> 2] = 1;
-            part.push_back(o >> 2);
-          } else {
-            const double l = std::sqrt(mesh_.squared_edge_length(h));
-            length += l;
-            sharp += cosine(h) <= rim ? l : 0;
-            if (cosine(h) <= least) boundary.push_back((std::max)(h, o) == h ? o : h);
-          }
-        }
-      }
-      if (part.size() >= LEAST_PLANAR_FACES && area >= LEAST_PLANAR_AREA * own_length_ * own_length_ &&
-          sharp >= LEAST_RIM_SHARE * length)
-        result.insert(result.end(), boundary.begin(), boundary.end());
-    }
+  for (const Index h : sharp_edges_)
+    for (const Index side : {h, mesh_.opposite(h)})
+      if (!is_seen[side >> 2]) add_rim_of_planar_part(side >> 2, is_seen, result);
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
