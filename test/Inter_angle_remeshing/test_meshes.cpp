@@ -357,7 +357,7 @@ void large_distances_are_lowered()
       IAR::Recipe recipe;
       recipe.distance_tolerance = tolerance;
       const IAR::Closest_point_projector<Mesh> facets(input);
-      const auto report = IAR::isotropic_remeshing(IAR::Face_count(15000), output,
+      const auto report = IAR::isotropic_remeshing(IAR::Face_count(15500), output,
         IAR::recipe(recipe, parameters::projection_functor(std::cref(facets))));
       CHECK_MESSAGE(report.band_holds, name);
       return IAR::surface_distance(input, output, parameters::number_of_points_on_faces(100000)).hausdorff();
