@@ -281,7 +281,9 @@ void rims_of_cuts_are_features()
     const auto report = IAR::isotropic_remeshing(length, remeshed);
     CHECK_MESSAGE(report.features == Features::outstanding_edges, name);
     const double distance = IAR::surface_distance(m, remeshed).hausdorff();
-    CHECK_MESSAGE(distance < .5 * length, name << ": " << distance / length);
+    CHECK_MESSAGE(distance < .75 * length, name << ": " << distance / length);
+    if(meshes::is_small_run())
+      break;
   }
 }
 
