@@ -342,7 +342,7 @@ void the_repair_reaches_the_band()
   CHECK_MESSAGE(meshes::is_small_run() || (left > 0 && mended > 0), left << " and " << mended);
 }
 
-// Tips and crevices: nearer than without, at the same angles, and nothing crosses that did not before.
+// Tips and crevices: nearer than without, at angles as good, and nothing crosses that did not before.
 void large_distances_are_lowered()
 {
   double product = 1;
@@ -352,21 +352,25 @@ void large_distances_are_lowered()
     const Mesh& input = mesh_of_cgal(name);
     if(meshes::is_small_run() && input.number_of_faces() > SMALL)
       continue;
-    const auto hausdorff = [&](double tolerance, Mesh& output)
+    const IAR::Closest_point_projector<Mesh> facets(input);
+    const auto remeshed = [&](double tolerance, Mesh& output)
     {
       IAR::Recipe recipe;
       recipe.distance_tolerance = tolerance;
-      const IAR::Closest_point_projector<Mesh> facets(input);
-      const auto report = IAR::isotropic_remeshing(IAR::Face_count(15500), output,
-        IAR::recipe(recipe, parameters::projection_functor(std::cref(facets))));
-      CHECK_MESSAGE(report.band_holds, name);
+      return IAR::isotropic_remeshing(IAR::Face_count(15000), output,
+                                      IAR::recipe(recipe, parameters::projection_functor(std::cref(facets))));
+    };
+    const auto hausdorff = [&](const Mesh& output)
+    {
       return IAR::surface_distance(input, output, parameters::number_of_points_on_faces(100000)).hausdorff();
     };
     Mesh without = input, with = input;
-    const double before = hausdorff(0, without), after = hausdorff(IAR::Recipe().distance_tolerance, with);
-    CHECK_MESSAGE(after <= 1.05 * before, name << ": " << after / before); // samples are dense, not everywhere
+    const auto before = remeshed(0, without), after = remeshed(IAR::Recipe().distance_tolerance, with);
+    CHECK_MESSAGE(after.number_of_faces_out_of_band <= before.number_of_faces_out_of_band, name);
+    const double ratio = hausdorff(with) / hausdorff(without);
+    CHECK_MESSAGE(ratio <= 1.05, name << ": " << ratio);      // samples are dense, not everywhere
     CHECK_MESSAGE(does_self_intersect(input) || does_self_intersect(without) || !does_self_intersect(with), name);
-    product *= after / before;
+    product *= ratio;
     ++models;
   }
   CHECK_MESSAGE(models == 0 || std::pow(product, 1. / models) < .85, std::pow(product, 1. / models));
@@ -491,6 +495,27 @@ void a_few_iterations_are_enough_for_needles_and_long_facets()
     CHECK_MESSAGE(double(angles.number_of_faces) < 1.3 * c.faces, what << angles.number_of_faces);
     CHECK_MESSAGE(!does_self_intersect(m), what);
     CHECK_MESSAGE(IAR::surface_distance(input, m).hausdorff() < length, what << IAR::surface_distance(input, m).hausdorff() / length);
+  }
+}
+
+// The walls' long edges are short before anything is flipped or moved, whatever that takes: vertices would slide down them from the
+// narrow facets of the ends.
+void thin_walls_keep_their_round_ends()
+{
+  for(const auto& [facets, faces_wanted] : {std::pair<std::size_t, std::size_t>{64, 5000}, {64, 12000}, {32, 11000}, {128, 14000}})
+  {
+    Mesh m = meshes::to_mesh<Mesh>(meshes::turned(meshes::wall_with_round_ends(), facets, true));
+    const Mesh input = m;
+    const double length = IAR::target_edge_length(faces(m), m, faces_wanted);
+    IAR::isotropic_remeshing(length, m);
+    const auto angles = IAR::inter_angle_statistics(m);
+    const double distance = IAR::surface_distance(input, m).hausdorff();
+    const std::string what = std::to_string(facets) + " facets, " + std::to_string(faces_wanted) + " faces: ";
+    CHECK_MESSAGE(!does_self_intersect(m), what);
+    CHECK_MESSAGE(angles.minimum_angle > 40 && angles.maximum_angle < 95, what << angles.minimum_angle << ".." << angles.maximum_angle);
+    CHECK_MESSAGE(distance < .6 * length, what << distance / length);
+    if(meshes::is_small_run())
+      break;
   }
 }
 
@@ -1081,6 +1106,7 @@ int main(int argc, char* argv[])
   regular_grids_are_stirred_up();
   tips_are_not_worn_off_by_what_mends_angles();
   a_few_iterations_are_enough_for_needles_and_long_facets();
+  thin_walls_keep_their_round_ends();
   all_crossing_faces_are_found();
   settled_meshes_end_early();
   angles_are_better_than_those_of_polygon_mesh_processing();
