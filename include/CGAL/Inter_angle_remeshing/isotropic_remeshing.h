@@ -63,12 +63,12 @@ number of faces of the range and of the result, per iteration.
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{the largest number of iterations of splits, collapses, flips and relaxation: once one of them does
       hardly anything, two more are made}
-    \cgalParamType{unsigned int}
+    \cgalParamType{a number type; a fraction is dropped}
     \cgalParamDefault{10}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_relaxation_steps}
     \cgalParamDescription{the number of sweeps of relaxation in each iteration}
-    \cgalParamType{unsigned int}
+    \cgalParamType{a number type; a fraction is dropped}
     \cgalParamDefault{`Recipe::sweeps`, in the last two iterations `Recipe::last_sweeps`}
   \cgalParamNEnd
   \cgalParamNBegin{do_split}

@@ -105,6 +105,7 @@ private:
     std::vector<Index> edges;                // one behind the other
     std::array<Index, 2> ends = {-1, -1};    // -1: closed
     int free_ends = 0;
+    std::pair<bool, double> rank;            // has certain edges, weighted angle
   };
 
   static constexpr double STRONG_ANGLE = 45;
@@ -387,12 +388,12 @@ inline bool Feature_graph::runs_beside_itself(const Chain& chain) const
   return double(beside) > PARALLEL_SHARE * double(samples.size());
 }
 
-// Those with certain edges, then by the sum of their angles; of equal ones, the first.
+// Those with certain edges first, then by the sum of their angles; of equal ones, the first.
 inline std::vector<Feature_graph::Chain> Feature_graph::chains_strongest_first() const
 {
   std::vector<Chain> result = chains();
-  std::stable_sort(result.begin(), result.end(), [&](const Chain& a, const Chain& b) {
-    return std::make_pair(has_certain_edge(a), weighted_angle(a.edges)) > std::make_pair(has_certain_edge(b), weighted_angle(b.edges)); });
+  for (Chain& chain : result) chain.rank = {has_certain_edge(chain), weighted_angle(chain.edges)};
+  std::stable_sort(result.begin(), result.end(), [](const Chain& a, const Chain& b) { return a.rank > b.rank; });
   return result;
 }
 
