@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -79,6 +80,11 @@ class Repairer
     Kind kind = Kind::none;
     Index halfedge = -1;
   };
+  struct Bad_faces
+  {
+    std::vector<Index> faces;
+    double score = 0;
+  };
 
 public:
   Repairer(Remeshing_context& context, std::size_t input_faces)
@@ -93,8 +99,11 @@ public:
     return mend([&]() {
       std::vector<std::pair<double, Index>> bad = bad_faces();
       std::sort(bad.begin(), bad.end());
-      std::vector<Index> result;
-      for (const auto& b : bad) result.push_back(b.second);
+      Bad_faces result;
+      for (const auto& [minus_violation, f] : bad) {
+        result.faces.push_back(f);
+        result.score += score_of_violation(-minus_violation);
+      }
       return result;
     });
   }
@@ -104,16 +113,19 @@ public:
   std::size_t part_crossing_faces(std::size_t& crossing)
   {
     given_up_.clear();
+    in_vain_.clear();
     fault_ = Fault::crossing;
     most_trials_ = 0;
     std::optional<Point_grid> places_of_surface;
     const std::size_t operations = mend([&]() {
-      std::vector<Index> result = faces_of(crossing_faces<ConcurrencyTag>(mesh_));
-      crossing = result.size();
-      if (result.empty()) return result;
+      const std::vector<std::pair<Index, Index>> pairs = crossing_faces<ConcurrencyTag>(mesh_);
+      Bad_faces result{faces_of(pairs)};
+      crossing = result.faces.size();
+      if (pairs.empty()) return result;
+      for (const auto& [f, g] : pairs) result.score += score_of_crossing(f, g);
       if (!places_of_surface) places_of_surface = places_where_surface_crosses<ConcurrencyTag>();
       const auto is_inherited = [&](Index f) { return is_near(*places_of_surface, f); };
-      result.erase(std::remove_if(result.begin(), result.end(), is_inherited), result.end());
+      result.faces.erase(std::remove_if(result.faces.begin(), result.faces.end(), is_inherited), result.faces.end());
       grid_.emplace(mesh_, context_.largest_length());
       return result;
     });
@@ -133,26 +145,25 @@ private:
     return result;
   }
 
-  // Goes over the faces that `find()` names until nothing gets better.
+  // Goes over the faces that `find()` names until they do not get better: what mends one may spoil another.
   template <class Find>
   std::size_t mend(const Find& find)
   {
     std::size_t operations = 0;
-    bool is_better = true;
-    for (round_ = 0; round_ < MAXIMUM_ROUNDS && (is_better || round_ < 2); ++round_) {
-      const std::vector<Index> bad = find();
-      if (bad.empty()) break;
+    double least = std::numeric_limits<double>::infinity();
+    for (round_ = 0; round_ < MAXIMUM_ROUNDS; ++round_) {
+      const Bad_faces bad = find();
+      if (bad.faces.empty() || (round_ > 1 && !(bad.score < least))) break;
+      least = (std::min)(least, bad.score);
       if (most_trials_ == 0)
-        most_trials_ = LEAST_TRIALS + (std::min)(TRIALS_PER_BAD_FACE * bad.size(),
+        most_trials_ = LEAST_TRIALS + (std::min)(TRIALS_PER_BAD_FACE * bad.faces.size(),
                                                  (std::max)(input_faces_, mesh_.number_of_live_faces()) / FACES_PER_TRIAL);
       const char level = round_ == 0 ? 1 : 2;
-      is_better = false;
-      for (const Index f : bad) {
+      for (const Index f : bad.faces) {
         if (!mesh_.is_face(f) || given_up(f) >= level || !is_bad(f) || trials() > most_trials()) continue;
         if (const Operation best = best_operation(f); best.kind != Kind::none) {
           commit(best);
           ++operations;
-          is_better = true;
         } else
           given_up(f) = level;
       }
@@ -208,17 +219,38 @@ private:
     return result;
   }
 
+  // Operations that were tried, from whichever face, and did not help; until something changes there.
+  bool is_in_vain(const Operation& operation) const
+  {
+    const std::size_t h = std::size_t(operation.halfedge);
+    return h < in_vain_.size() && (in_vain_[h] >> int(operation.kind) & 1) != 0;
+  }
+  void note_in_vain(const Operation& operation)
+  {
+    if (std::size_t(operation.halfedge) >= in_vain_.size()) in_vain_.resize(4 * mesh_.number_of_face_slots(), 0);
+    in_vain_[operation.halfedge] |= char(1 << int(operation.kind));
+  }
+  void forget(Index f)
+  {
+    given_up(f) = 0;
+    for (std::size_t h = 4 * std::size_t(f); h < 4 * std::size_t(f) + 3 && h < in_vain_.size(); ++h) in_vain_[h] = 0;
+  }
+
   double violation(Index f) const { return internal::violation(context_, bands_, f); }
+
+  static double score_of_violation(double v) { return v > 0 ? TOUCH + v + v * v : 0; }
+
+  double score_of_crossing(Index f, Index g) const
+  {
+    return CROSSING + CROSSING_LENGTH * crossing_length(mesh_, f, g) / context_.length_at(mesh_.face_record(f).vertex[0]);
+  }
 
   double score(const std::vector<Index>& faces)
   {
     double sum = 0;
     if (fault_ == Fault::crossing) sum = crossing_score(faces);
-    for (const Index f : faces) {
-      if (!mesh_.is_face(f)) continue;
-      const double v = violation(f);
-      if (v > 0) sum += TOUCH + v + v * v;
-    }
+    for (const Index f : faces)
+      if (mesh_.is_face(f)) sum += score_of_violation(violation(f));
     return sum;
   }
 
@@ -233,7 +265,7 @@ private:
     others.erase(std::remove_if(others.begin(), others.end(), is_dead), others.end());
     double sum = 0;
     for_each_crossing(mesh_, faces, others, [&](Index f, Index g) {
-      sum += CROSSING + CROSSING_LENGTH * crossing_length(mesh_, f, g) / context_.length_at(mesh_.face_record(f).vertex[0]);
+      sum += score_of_crossing(f, g);
       return true;
     });
     return sum;
@@ -348,9 +380,13 @@ private:
       near_ = faces_near(mesh_, *grid_, faces_around(mesh_, ball(mesh_, {corner[0], corner[1], corner[2]}, REACH, marks_)), marks_);
     }
     std::vector<std::pair<double, Operation>> promising;
-    for (const Operation& operation : operations(f))
-      if (trials() <= most_trials() && is_allowed(operation))
-        promising.emplace_back(gain(operation, FIRST_SWEEPS), operation);
+    for (const Operation& operation : operations(f)) {
+      if (trials() > most_trials() || is_in_vain(operation) || !is_allowed(operation)) continue;
+      if (const double g = gain(operation, FIRST_SWEEPS); g > 0)
+        promising.emplace_back(g, operation);
+      else
+        note_in_vain(operation);
+    }
     const std::size_t n = (std::min)(promising.size(), fault_ == Fault::crossing ? CROSSING_FINALISTS : FINALISTS);
     const auto is_better = [](const auto& a, const auto& b) { return a.first > b.first; };
     std::stable_sort(promising.begin(), promising.end(), is_better);
@@ -368,7 +404,7 @@ private:
     descent_.sweep(ball(mesh_, touched, 1, marks_), SWEEPS);
     const std::vector<Index> around = ball(mesh_, touched, 2, marks_);
     descent_.sweep(around, SWEEPS);
-    for (const Index g : faces_around(mesh_, around)) given_up(g) = 0;
+    for (const Index g : faces_around(mesh_, around)) forget(g);
   }
 
   Remeshing_context& context_;
@@ -385,6 +421,7 @@ private:
   std::array<std::size_t, 3> trials_{};  // by fault; folds leave angles to mend
   std::size_t most_trials_ = 0;          // of each
   std::vector<char> given_up_;           // by face
+  std::vector<char> in_vain_;            // by half-edge, a bit for each kind of operation
   Visit_marks marks_;
 };
 
