@@ -986,6 +986,48 @@ void a_fold_is_no_feature()
   CHECK(report.crossing_faces == 0);
 }
 
+// Thin faces along a border, folded back onto the surface, make sharp edges, too. The gutter is as round as before, and the result
+// has nothing of them.
+void folded_slivers_are_no_features()
+{
+  meshes::Soup gutter = meshes::square(24);
+  for(auto& [x, y, z] : gutter.points)
+  {
+    z = std::sin(3 * x);
+    x = std::cos(3 * x);
+    y *= 3;
+  }
+  Mesh m = meshes::to_mesh<Mesh>(gutter);
+  using Halfedge = Mesh::Halfedge_index;
+  const std::vector<Halfedge> all(m.halfedges_begin(), m.halfedges_end());
+  int slivers = 0;
+  for(const Halfedge h : all)
+  {
+    if(!m.is_border(h))
+      continue;
+    ++slivers;
+    // a vertex in the middle of the edge, which the face leads to, and the sliver between it and its ends
+    const Halfedge inner = m.opposite(h);
+    const Point a = m.point(m.source(inner)), b = m.point(m.target(inner)), c = m.point(m.target(m.next(inner)));
+    const Point middle = CGAL::midpoint(a, b);
+    const Halfedge made = CGAL::Euler::split_edge(inner, m);
+    m.point(m.target(made)) = middle + .05 * (middle - c);
+    CGAL::Euler::split_face(made, m.next(m.next(made)), m);
+    CGAL::Euler::add_face_to_border(m.prev(h), m.opposite(made), m);
+  }
+  CHECK(slivers >= 20 && CGAL::is_valid_polygon_mesh(m) && CGAL::is_triangle_mesh(m));
+  double steepest = 0;
+  for(const Edge e : m.edges())
+    if(!m.is_border(e))
+      steepest = std::max(steepest, dihedral_angle(e, m));
+  CHECK_MESSAGE(steepest > 170, steepest);
+  CHECK_MESSAGE(found_features(m).empty(), found_features(m).size());
+  const auto report = IAR::isotropic_remeshing(mean_edge_length(m), m);
+  CHECK_MESSAGE(report.features == Features::none, report.feature_edges);
+  const auto angles = IAR::inter_angle_statistics(m);
+  CHECK_MESSAGE(angles.minimum_angle > 30 && angles.maximum_angle < 110, angles.minimum_angle << ".." << angles.maximum_angle);
+}
+
 int main()
 {
   coarser_runs_find_no_more();
@@ -998,6 +1040,7 @@ int main()
   organic_models_have_next_to_none();
   rims_of_cuts_are_features();
   a_fold_is_no_feature();
+  folded_slivers_are_no_features();
   noise_hides_no_edge_and_makes_none();
   a_range_and_other_types_will_do();
   cad_models_keep_their_features();

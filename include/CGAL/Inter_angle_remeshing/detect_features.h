@@ -36,8 +36,11 @@ within half a degree, over another edge: the facets of a cylinder or another sur
 m < 1.1 s and more than half of all edges have less than 8 degrees, or m - p < s / 5, it is a CAD model; and so it is if
 m < 3.5 s and the edges of 40 degrees and more form a network, as they do when a part has been remeshed coarsely: 70% of their
 length does not lead to a free end, and of its vertices at most 40% are the ends of more than two of them, and a fifth of the
-others bend by more than 45 degrees. Then every edge of 40 degrees and more is a feature. But where two chains of them are the sides of a strip, one face across and narrower than a
-twentieth of the length, over which the surface turns by less than 120 degrees, as at a small bevel, only the sharper one is.
+others bend by more than 45 degrees. Then every edge of 40 degrees and more is a feature. But where two chains of them are
+the sides of a strip, one face across and narrower than a twentieth of the length, over which the surface turns by less than
+120 degrees, as at a small bevel, only the sharper one is. A face that is ten times as long as high, with a dihedral angle of
+150 degrees and more at one of its edges, is a sliver folded onto its neighbor: it counts as if it looked as the face at its
+longest edge does.
 
 If not, it is an organic model or a noisy one. Around connected edges of 30 degrees and more that are 2.5 times as sharp as
 the edges beside them, the face normals are filtered bilaterally, in five passes. An edge stands out if it then has 30
@@ -46,10 +49,10 @@ at least 12 edges and five lengths, and of 40 for each end that leads nowhere; h
 more; of two chains side by side the sharper one stays, and one that runs beside itself, as around a slit, does not. The length
 is the mean edge's; of what is found, features are what passes for `scale`, too, where that is longer.
 
-Parts that are planar within half a degree, of at least 12 faces and the area of a square of the mean edge, nothing has that has
-grown: there a model was cut, or given a base. If half of the rim of such a part has 60 degrees and more, all its edges of 30 degrees
-and more are features, in components of at least five lengths, whatever they meet; but of two rims beside a narrow strip only the
-sharper one.
+Parts that are planar within half a degree, of at least 12 faces and the area of a square of the mean edge, nothing has that
+has grown: there a model was cut, or given a base. If half of the rim of such a part has 60 degrees and more, all its edges of
+30 degrees and more are features, in components of at least five lengths, whatever they meet; but of two rims beside a narrow
+strip only the sharper one.
 
 Measured: of the edges over 40 degrees of fandisk.off with a noise of 15% of the edge length, 99% are found, and of what is
 found 99.7% is right. Of the some seventy models of \cgal that are not taken for CAD models, four have any feature, with at most

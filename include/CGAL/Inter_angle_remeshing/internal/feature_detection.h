@@ -60,7 +60,8 @@ public:
 private:
   // Dihedral angles in degrees.
   static constexpr double CAD_ANGLE = 40, MILD_ANGLE = 12, FLAT_ANGLE = 8, PLANAR_ANGLE = 0.5;
-  static constexpr double LEAST_ANGLE = 30;
+  static constexpr double LEAST_ANGLE = 30, FOLD_ANGLE = 150;
+  static constexpr double SLIVER = 0.1;                 // altitude of a sliver, at most, over its longest edge
   // A candidate is this many times as sharp as three of the four other edges of its faces, before the filter.
   static constexpr double CANDIDATE_RATIO = 2.5;
   // An edge stands out when it is this many times as sharp as the median of the edges around it.
@@ -95,6 +96,29 @@ private:
       area_[f] = float(l);
       if (!is_degenerate(n, a, b, c)) normal_[f] = (1 / l) * n;
     }
+    std::vector<std::pair<Index, Vector3>> corrected;
+    for (Index f = 0; f < Index(normal_.size()); ++f)
+      if (const Index h = longest_edge(f); is_folded_sliver(f, h)) {
+        const Index o = mesh_.opposite(h);
+        corrected.emplace_back(f, o < 0 || is_folded_sliver(o >> 2, longest_edge(o >> 2)) ? Vector3() : normal_[o >> 2]);
+      }
+    for (const auto& [f, n] : corrected) normal_[f] = n;
+  }
+
+  Index longest_edge(Index f) const
+  {
+    Index longest = 4 * f;
+    for (Index h = 4 * f + 1; h < 4 * f + 3; ++h)
+      if (mesh_.squared_edge_length(h) > mesh_.squared_edge_length(longest)) longest = h;
+    return longest;
+  }
+
+  // Whether face f, of which h is the longest edge, is thin and lies on a neighbour: where it looks says nothing about the surface.
+  bool is_folded_sliver(Index f, Index h) const
+  {
+    if (area_[f] > SLIVER * mesh_.squared_edge_length(h)) return false;
+    const double folded = cosine_of(FOLD_ANGLE);
+    return cosine(4 * f) < folded || cosine(4 * f + 1) < folded || cosine(4 * f + 2) < folded;
   }
 
   // The cosine of the dihedral angle; 1 on the border and beside faces without a normal.
