@@ -762,6 +762,55 @@ void a_policy_sees_the_mesh_as_the_user_has_it()
   CHECK(border_edges > 0 && constrained_edges > 0);
 }
 
+// Short edges that are constrained are details: beside them edges are split and collapsed by a shorter length than farther away.
+// What policies are told is the length that was asked for.
+void a_policy_is_asked_by_the_graded_length()
+{
+  Soup soup = square(12);
+  for(auto& p : soup.points)
+    p = {1000 * p[0] * p[0], 1000 * p[1] * p[1], 0};        // edges from 7 to 225
+  const Mesh input = to_mesh<Mesh>(soup);
+  const Kernel::Point_3 origin(0, 0, 0);
+  const double length = 60;
+  struct Asked
+  {
+    std::vector<Told> splits, collapses;        // of edges that are on no curve
+  };
+  const auto asked_with = [&](double grading)
+  {
+    Mesh m = input;
+    Mesh::Property_map<Mesh::Edge_index, bool> constrained = m.add_property_map<Mesh::Edge_index, bool>("e", false).first;
+    for(const auto e : m.edges())
+      constrained[e] = unsigned(e) % 5 == 0 && CGAL::squared_distance(m.point(m.vertex(e, 0)), origin) < 10000;
+    Asked asked;
+    const auto note = [](std::vector<Told>& told, const auto& edge)
+    {
+      if(!edge.is_border() && !edge.is_constrained())
+        told.push_back(tell(edge));
+      return false;
+    };
+    IAR::Recipe recipe;
+    recipe.grading = grading;
+    IAR::isotropic_remeshing(length, m, IAR::recipe(recipe,
+      parameters::number_of_iterations(1).do_project(false).number_of_relaxation_steps(0).edge_is_constrained_map(constrained)
+                 .do_split([&](const auto& edge) { return note(asked.splits, edge); })
+                 .do_collapse([&](const auto& edge) { return note(asked.collapses, edge); })
+                 .do_flip(false)));
+    return asked;
+  };
+  const IAR::Recipe recipe;
+  const Asked uniform = asked_with(0), graded = asked_with(recipe.grading);
+  const auto is_shorter = [](const Told& a, const Told& b) { return a.length < b.length; };
+  const auto shortest = [&](const std::vector<Told>& told) { return std::min_element(told.begin(), told.end(), is_shorter)->length; };
+  CHECK(!uniform.splits.empty() && !uniform.collapses.empty() && !graded.splits.empty() && !graded.collapses.empty());
+  CHECK_MESSAGE(shortest(uniform.splits) > recipe.split_ratio * length, shortest(uniform.splits));
+  CHECK_MESSAGE(shortest(graded.splits) < recipe.split_ratio * length, shortest(graded.splits));
+  CHECK_MESSAGE(graded.collapses.size() < uniform.collapses.size(), graded.collapses.size() << ", " << uniform.collapses.size());
+  for(const Asked& asked : {uniform, graded})
+    for(const std::vector<Told>& told : {asked.splits, asked.collapses})
+      CHECK(std::all_of(told.begin(), told.end(), [&](const Told& t) { return t.target_length == length; }));
+}
+
 void input_vertices_are_the_users_and_new_ones_have_none()
 {
   Mesh m = uneven_mesh();
@@ -914,6 +963,7 @@ int main()
   a_policy_of_any_kind_is_asked();
   a_policy_that_permits_all_is_no_policy();
   a_policy_sees_the_mesh_as_the_user_has_it();
+  a_policy_is_asked_by_the_graded_length();
   input_vertices_are_the_users_and_new_ones_have_none();
   what_a_policy_denies_stays_as_it_was();
   transient_flips_are_asked_for_as_such();

@@ -219,16 +219,19 @@ private:
     return result;
   }
 
-  // Operations that were tried, from whichever face, and did not help; until something changes there.
+  // Operations that were tried, from whichever face, and did not help; until something changes there. A half-edge of the border has
+  // no slot, and what starts from it is tried again.
   bool is_in_vain(const Operation& operation) const
   {
-    const std::size_t h = std::size_t(operation.halfedge);
-    return h < in_vain_.size() && (in_vain_[h] >> int(operation.kind) & 1) != 0;
+    const Index h = operation.halfedge;
+    return h >= 0 && std::size_t(h) < in_vain_.size() && (in_vain_[h] >> int(operation.kind) & 1) != 0;
   }
   void note_in_vain(const Operation& operation)
   {
-    if (std::size_t(operation.halfedge) >= in_vain_.size()) in_vain_.resize(4 * mesh_.number_of_face_slots(), 0);
-    in_vain_[operation.halfedge] |= char(1 << int(operation.kind));
+    const Index h = operation.halfedge;
+    if (h < 0) return;
+    if (std::size_t(h) >= in_vain_.size()) in_vain_.resize(4 * mesh_.number_of_face_slots(), 0);
+    in_vain_[h] |= char(1 << int(operation.kind));
   }
   void forget(Index f)
   {
