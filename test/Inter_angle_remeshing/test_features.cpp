@@ -16,9 +16,11 @@
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/clip.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/centroid.h>
@@ -988,6 +990,39 @@ void a_fold_is_no_feature()
   CHECK(report.crossing_faces == 0);
 }
 
+// A shaft with a bore across, of many facets: boolean operations leave fans of needles, whose sides are too long for a collapse and
+// whose angles are too obtuse for a split.
+void needles_of_boolean_operations_are_removed()
+{
+  const meshes::Soup shaft = meshes::turned({{1, -2}, {1, 2}}, 100, false);
+  meshes::Soup bore = shaft.scaled(.75);
+  for(auto& [x, y, z] : bore.points)
+  {
+    std::swap(x, z);
+    x += .3;
+    y += .0123;
+    z += .01;
+  }
+  Mesh a = meshes::to_mesh<Mesh>(shaft), b = meshes::to_mesh<Mesh>(bore), part;
+  if(!PMP::is_outward_oriented(b))
+    PMP::reverse_face_orientations(b);
+  CHECK(PMP::corefine_and_compute_difference(a, b, part) && CGAL::is_triangle_mesh(part));
+  part.collect_garbage();
+  const double mean = mean_edge_length(part);
+  for(const double factor : {1., 1.2, 1.5, 1.8, 2.})
+  {
+    Mesh m = part;
+    const auto report = IAR::isotropic_remeshing(factor * mean, m);
+    const auto angles = IAR::inter_angle_statistics(m);
+    CHECK_MESSAGE(report.features == Features::all_sharp_edges, factor);
+    CHECK_MESSAGE(angles.minimum_angle > 30 && angles.maximum_angle < 110,
+                  factor << ": " << angles.minimum_angle << ".." << angles.maximum_angle << " of " << m.number_of_faces());
+    CHECK_MESSAGE(report.crossing_faces == 0, factor);
+    if(meshes::is_small_run())
+      break;
+  }
+}
+
 // Thin faces along a border, folded back onto the surface, make sharp edges, too. The gutter is as round as before, and the result
 // has nothing of them.
 void folded_slivers_are_no_features()
@@ -1043,6 +1078,7 @@ int main()
   rims_of_cuts_are_features();
   a_fold_is_no_feature();
   folded_slivers_are_no_features();
+  needles_of_boolean_operations_are_removed();
   noise_hides_no_edge_and_makes_none();
   a_range_and_other_types_will_do();
   cad_models_keep_their_features();

@@ -37,20 +37,29 @@ constexpr int MAXIMUM_MERGED_VALENCE = 9;
 // Smallest cosine between the normals of a face before and after a collapse: 60 degrees.
 constexpr double COLLAPSE_NORMAL_COSINE = 0.5;
 
-// Whether no new edge at h's target is too long. The neighbors of a free source other than the target and the two
-// apexes, which the target has already, are met from the far side: there most collapses fail. Where the source lies on a curve, its
-// own short edges are what lowers the target length: that must not keep them short.
+// An edge is tiny if it is this part of the longest new edge, about an eighth of the target length: as the short side of a needle.
+// Edges of more than so many times the longest new one, two target lengths, are split all the same.
+constexpr double SQUARED_TINY = 0.01, SQUARED_YIELD = 2.25;
+
+// Whether no new edge at h's target is too long, or longer than before where the edge of h is tiny: else needles would neither be
+// collapsed, for their sides are too long, nor split, for their angles are obtuse. The neighbors of a free source other than the
+// target and the two apexes, which the target has already, are met from the far side: there most collapses fail. Where the source
+// lies on a curve, its own short edges are what lowers the target length: that must not keep them short.
 inline bool has_short_edges_after_collapse(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Grading& grading,
                                            const Collapse_limits& limits)
 {
   using Index = Remeshing_mesh::Index;
   const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
   const Vector3& q = mesh.position(b);
-  const bool is_on_curve = mesh.is_on_curve(a);
+  const bool is_on_curve = mesh.is_on_curve(a),
+             is_tiny = squared_distance(mesh.position(a), q) < SQUARED_TINY * limits.squared_length;
   const auto is_short = [&](Index k) {
     const Index c = mesh.target(k);
     const double part = is_on_curve ? grading.field_part(b, c) : grading.is_uniform() ? 1. : grading.part(b, c);
-    return squared_distance(q, mesh.position(c)) <= part * part * limits.squared_length;
+    const double l = squared_distance(q, mesh.position(c));
+    return l <= part * part * limits.squared_length ||
+           (is_tiny && l <= SQUARED_YIELD * part * part * limits.squared_length &&
+            l <= squared_distance(mesh.position(a), mesh.position(c)));
   };
   if (!mesh.is_free(a)) return mesh.all_around(a, is_short);
   Index k = mesh.rotate_ccw(mesh.rotate_ccw(h));
