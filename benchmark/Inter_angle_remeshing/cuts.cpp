@@ -20,8 +20,10 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <iterator>
+#include <string>
 #include <utility>
 #include <vector>
 

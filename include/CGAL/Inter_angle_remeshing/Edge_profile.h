@@ -138,8 +138,8 @@ public:
 
   /// the length of the edge, in the user's units
   double length() const { return internal::length(position(target()) - position(source())) / scale_; }
-  /// the length that the edge should have, in the user's units, by the target length or sizing field; near details of borders and
-  /// features, where the remesher asks for less by `Recipe::grading`, all the same; infinite where none is known
+  /// the target length, or what the sizing field says for the edge, in the user's units; infinite where none is known. What
+  /// `Recipe::grading` takes off near details of borders and features is not taken off here.
   double target_length() const { return target_length_; }
   /// whether a target length is known
   bool has_target_length() const { return std::isfinite(target_length_); }
