@@ -11,6 +11,7 @@
 // of the faces that the input does not force. `kept` is the part of the length of the marked edges, or of the border, that
 // lies within a tenth of the target length of the result's.
 
+#include "crossing_pairs.h"
 #include "meshes.h"
 #include "timing.h"
 
@@ -20,7 +21,6 @@
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -74,13 +74,11 @@ void print_row(const std::string& name, const char* who, const Mesh& input, cons
   const Edge_map curves = mark(marked, 0.6 * feature_angle);
   const auto angles = IAR::inter_angle_statistics(marked, parameters::edge_is_constrained_map(curves));
   const auto distance = IAR::surface_distance(input, result);
-  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
-  PMP::self_intersections(result, std::back_inserter(pairs));
   std::printf("| %s | %s | %zu | %.0f..%.0f | %.1f | %.0f | %.1f | %.2f | %.4f | %zu | ", name.c_str(), who,
               std::size_t(result.number_of_faces()), angles.minimum_unforced_angle, angles.maximum_unforced_angle,
               angles.unforced_average, angles.percentage_of_regular_vertices(),
               kept(input, marks, result, 0.6 * feature_angle, 0.1 * length), 100 * distance.relative_hausdorff(),
-              100 * distance.relative_mean(), pairs.size());
+              100 * distance.relative_mean(), crossing_pairs(result));
   if (ratio > 0) std::printf("%.1f |\n", ratio); else std::printf("|\n");
   std::fflush(stdout);
 }

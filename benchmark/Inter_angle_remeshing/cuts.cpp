@@ -5,6 +5,7 @@
 // Organic models cut by planes: how much of the rim of the cut is found to be a feature, and how near the result is at the
 // mean edge length, beside PMP with nothing marked. A table in Markdown.
 
+#include "crossing_pairs.h"
 #include "meshes.h"
 #include "timing.h"
 
@@ -15,16 +16,13 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/clip.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
-#include <iterator>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace IAR = CGAL::Inter_angle_remeshing;
@@ -61,13 +59,6 @@ double share_of_rim_found(const Mesh& mesh, const Kernel::Plane_3& plane)
   return found / all;
 }
 
-std::size_t number_of_crossing_pairs(const Mesh& mesh)
-{
-  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
-  PMP::self_intersections(mesh, std::back_inserter(pairs));
-  return pairs.size();
-}
-
 }
 
 int main()
@@ -89,8 +80,8 @@ int main()
       distances.push_back(distance(ours));
       distances_of_pmp.push_back(distance(theirs));
       std::printf("| %s, (%g, %g, %g) | %.0f | %.2f | %zu | %.2f | %zu |\n", name, normal.x(), normal.y(), normal.z(),
-                  100 * shares.back(), distances.back(), number_of_crossing_pairs(ours), distances_of_pmp.back(),
-                  number_of_crossing_pairs(theirs));
+                  100 * shares.back(), distances.back(), crossing_pairs(ours), distances_of_pmp.back(),
+                  crossing_pairs(theirs));
     }
   const auto largest = [](const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); };
   std::printf("| median | %.0f | %.2f | | %.2f | |\n| worst | %.0f | %.2f | | %.2f | |\n", 100 * median(shares), median(distances),

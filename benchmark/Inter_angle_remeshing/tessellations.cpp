@@ -4,11 +4,12 @@
 //
 // What CAD systems export: surfaces of revolution whose faces are as long as the part and as narrow as it curves. By default
 // with nothing marked, and by PMP with the edges over 40 degrees marked, both to a length at which so many equilateral
-// triangles have the area of the input. Then what few iterations do, and targets far finer than the facets; and regular grids, flat
-// and wavy. Tables in Markdown.
+// triangles have the area of the input. Then what few iterations do, and targets far finer than the facets; regular grids, flat
+// and wavy; and terrains. Tables in Markdown.
 //
 //   tessellations [pairs]       the times are medians over so many pairs of runs; 5
 
+#include "crossing_pairs.h"
 #include "meshes.h"
 #include "timing.h"
 
@@ -18,14 +19,13 @@
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <iterator>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -98,6 +98,31 @@ Mesh grid(std::size_t n, double height)
   return mesh;
 }
 
+// 40 by 40 cells with scattered corners, cut at random, under a block of 16 by 16 cells: its wall is one face high and goes in and out.
+Mesh terrain(double height)
+{
+  constexpr std::size_t N = 40;
+  constexpr double SCATTER = .3, ROUGHNESS = .1;
+  std::mt19937 random(1);
+  const auto up_to = [&](double bound) { return (random() / 4294967296. * 2 - 1) * bound; };
+  const auto is_on_block = [](double x) { return x > .3 * N && x < .7 * N; };
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for (std::size_t j = 0; j <= N; ++j)
+    for (std::size_t i = 0; i <= N; ++i) {
+      const double x = double(i) + (i % N == 0 ? 0 : up_to(SCATTER)), y = double(j) + (j % N == 0 ? 0 : up_to(SCATTER));
+      v.push_back(mesh.add_vertex(Kernel::Point_3(x, y, is_on_block(x) && is_on_block(y) ? height : up_to(ROUGHNESS))));
+    }
+  for (std::size_t j = 0; j < N; ++j)
+    for (std::size_t i = 0; i < N; ++i) {
+      const std::size_t a = j * (N + 1) + i, b = a + N + 1;
+      const bool is_flipped = random() % 2 == 0;
+      mesh.add_face(v[a], v[a + 1], v[is_flipped ? b : b + 1]);
+      mesh.add_face(v[is_flipped ? a + 1 : a], v[b + 1], v[b]);
+    }
+  return mesh;
+}
+
 struct Part
 {
   std::string name;
@@ -124,11 +149,9 @@ void print_figures(const Mesh& input, const Mesh& output)
 {
   const auto angles = IAR::inter_angle_statistics(output);
   const auto distance = IAR::surface_distance(input, output);
-  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> crossings;
-  PMP::self_intersections(output, std::back_inserter(crossings));
   std::printf(" %zu | %.0f..%.0f | %.1f | %.2g | %.2g | %zu |", std::size_t(output.number_of_faces()), angles.minimum_angle,
               angles.maximum_angle, angles.average, 100 * distance.relative_hausdorff(), 100 * distance.relative_mean(),
-              crossings.size());
+              crossing_pairs(output));
 }
 
 void print_head()
@@ -180,4 +203,9 @@ int main(int argc, char* argv[])
   for (const double height : {0., .2})
     for (const std::size_t wanted : {11400, 17800, 285000})
       compare({height > 0 ? "wavy grid, 100 by 100" : "flat grid, 100 by 100", grid(100, height)}, wanted, pairs);
+  std::printf("\n");
+  print_head();
+  for (const double height : {6., 12.})
+    for (const std::size_t wanted : {3000, 12000})
+      compare({height > 6 ? "terrain, block of height 12" : "terrain, block of height 6", terrain(height)}, wanted, pairs);
 }

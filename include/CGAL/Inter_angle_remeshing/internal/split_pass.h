@@ -58,8 +58,33 @@ inline bool keeps_orientation(const Remeshing_mesh& mesh, Remeshing_mesh::Index 
   });
 }
 
-// Moves the new vertices that do not lie on a curve onto the surface, from the nearer one of the two places where
-// the ends of their edges were projected. Where that would fold the surface over, they stay on the edge.
+// Where on the surface a new vertex belongs: near one of the two places where the ends of its edge were projected. From there a
+// walk may not get around a fold; where it ends further away than this part of an edge, the input faces that the faces around descend
+// from are asked, too.
+constexpr double FAR_FROM_SURFACE = 0.1;
+
+inline Vector3 project_split_vertex(const Remeshing_context& context, const Split_vertex& split, Remeshing_mesh::Index& hint)
+{
+  using Index = Remeshing_mesh::Index;
+  const Remeshing_mesh& mesh = context.mesh;
+  const Vector3& q = mesh.position(split.vertex);
+  hint = split.hint;
+  Vector3 result = context.projector(q, hint);
+  const auto look_from = [&](Index start) {
+    const Vector3 p = context.projector(q, start);
+    if (!(squared_distance(p, q) < squared_distance(result, q))) return;
+    result = p;
+    hint = start;
+  };
+  if (split.other_hint != split.hint) look_from(split.other_hint);
+  const double far = FAR_FROM_SURFACE * FAR_FROM_SURFACE * mesh.squared_edge_length(mesh.first(split.vertex));
+  if (context.projector.is_input() && squared_distance(result, q) > far)
+    mesh.for_each_around(split.vertex, [&](Index h) {
+      look_from(context.projector.face_of(mesh.face_record(mesh.face(h)).source)); });
+  return result;
+}
+
+// Moves the new vertices that do not lie on a curve onto the surface. Where that would fold the surface over, they stay on the edge.
 template <class ConcurrencyTag>
 void project_split_vertices(Remeshing_context& context, const std::vector<Split_vertex>& split)
 {
@@ -68,17 +93,8 @@ void project_split_vertices(Remeshing_context& context, const std::vector<Split_
   std::vector<Vector3> projected(split.size());
   for_each_block_if<ConcurrencyTag>(context.projector.is_concurrent, split.size(), PROJECTION_BLOCK,
                                     [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Index v = split[i].vertex;
-      const Vector3& q = mesh.position(v);
-      Index hint = split[i].hint, other = split[i].other_hint;
-      projected[i] = context.projector(q, hint);
-      if (other != split[i].hint) {
-        const Vector3 p = context.projector(q, other);
-        if (squared_distance(p, q) < squared_distance(projected[i], q)) { projected[i] = p; hint = other; }
-      }
-      mesh.hint(v) = hint;
-    }
+    for (std::size_t i = begin; i < end; ++i)
+      projected[i] = project_split_vertex(context, split[i], mesh.hint(split[i].vertex));
   });
   for (std::size_t i = 0; i < split.size(); ++i) {
     const Index v = split[i].vertex;
