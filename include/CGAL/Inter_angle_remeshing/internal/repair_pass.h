@@ -159,6 +159,7 @@ private:
         most_trials_ = LEAST_TRIALS + (std::min)(TRIALS_PER_BAD_FACE * bad.faces.size(),
                                                  (std::max)(input_faces_, mesh_.number_of_live_faces()) / FACES_PER_TRIAL);
       const char level = round_ == 0 ? 1 : 2;
+      const std::size_t operations_before = operations;
       for (const Index f : bad.faces) {
         if (!mesh_.is_face(f) || given_up(f) >= level || !is_bad(f) || trials() > most_trials()) continue;
         if (const Operation best = best_operation(f); best.kind != Kind::none) {
@@ -167,6 +168,7 @@ private:
         } else
           given_up(f) = level;
       }
+      if (round_ > 0 && operations == operations_before) break;
     }
     return operations;
   }
