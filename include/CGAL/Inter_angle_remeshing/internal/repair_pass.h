@@ -50,7 +50,7 @@ class Repairer
   // one for so many faces of the input or of the mesh, what is more: a trial takes as long as ten faces of the run.
   static constexpr std::size_t LEAST_TRIALS = 100, TRIALS_PER_BAD_FACE = 10, FACES_PER_TRIAL = 40;
   // Where faces cross, so many times as many, for they are few, and hardly any finalists.
-  static constexpr std::size_t CROSSING_TRIALS = 2, CROSSING_FINALISTS = 2;
+  static constexpr std::size_t CROSSING_TRIALS = 6, CROSSING_FINALISTS = 2;
   // Operations at vertices with hundreds of edges would take too long to try.
   static constexpr std::size_t LARGEST_REGION = 100;
   // Squared lengths, in those of the target, up to which edges are collapsed and from which they are split here.
