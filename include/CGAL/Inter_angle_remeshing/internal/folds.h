@@ -30,16 +30,6 @@ inline Vector3 cross_product(const Remeshing_mesh& mesh, Remeshing_mesh::Index f
   return triangle_cross(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]));
 }
 
-// The sum of the cross products of the faces around v.
-inline Vector3 star_cross_product(const Remeshing_mesh& mesh, Remeshing_mesh::Index v)
-{
-  Vector3 sum;
-  mesh.for_each_around(v, [&](Remeshing_mesh::Index h) {
-    sum += triangle_cross(mesh.position(v), mesh.position(mesh.target(h)), mesh.position(mesh.apex(h)));
-  });
-  return sum;
-}
-
 // Whether face f turns away from the surface. Beside a sharp crease of the surface neither of two faces does.
 inline bool leaves_surface(const Remeshing_context& context, Remeshing_mesh::Index f)
 {

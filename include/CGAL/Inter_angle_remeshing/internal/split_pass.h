@@ -59,8 +59,7 @@ inline bool keeps_orientation(const Remeshing_mesh& mesh, Remeshing_mesh::Index 
 }
 
 // A walk to the place of a new vertex may end before a fold: where it ends further away than this part of an edge, others are tried.
-// These must end where the surface looks the way that the faces around do, within 60 degrees: else it is another sheet.
-constexpr double FAR_FROM_SURFACE = 0.05, SAME_SHEET_COSINE = 0.5;
+constexpr double FAR_FROM_SURFACE = 0.05;
 
 // Where on the surface a new vertex belongs: near one of the two places where the ends of its edge were projected, or, where these
 // are far, near one of the input faces that the faces around descend from.
@@ -72,19 +71,16 @@ inline Vector3 project_split_vertex(const Remeshing_context& context, const Spli
   const Vector3& q = mesh.position(split.vertex);
   hint = split.hint;
   Vector3 result = projector(q, hint);
-  const auto look_from = [&](Index start, const auto& is_fit) {
+  const auto look_from = [&](Index start) {
     const Vector3 p = projector(q, start);
-    if (!(squared_distance(p, q) < squared_distance(result, q)) || !is_fit(start)) return;
+    if (!(squared_distance(p, q) < squared_distance(result, q))) return;
     result = p;
     hint = start;
   };
-  if (split.other_hint != split.hint) look_from(split.other_hint, [](Index) { return true; });
+  if (split.other_hint != split.hint) look_from(split.other_hint);
   const double near_by = FAR_FROM_SURFACE * FAR_FROM_SURFACE * mesh.squared_edge_length(mesh.first(split.vertex));
   if (!projector.is_input() || squared_distance(result, q) <= near_by) return result;
-  const Vector3 normal = star_cross_product(mesh, split.vertex);
-  const auto is_same_sheet = [&](Index f) { return is_cosine_at_least(projector.surface->cross_product(f), normal, SAME_SHEET_COSINE); };
-  mesh.for_each_around(split.vertex, [&](Index h) {
-    look_from(projector.face_of(mesh.face_record(mesh.face(h)).source), is_same_sheet); });
+  mesh.for_each_around(split.vertex, [&](Index h) { look_from(projector.face_of(mesh.face_record(mesh.face(h)).source)); });
   return result;
 }
 
