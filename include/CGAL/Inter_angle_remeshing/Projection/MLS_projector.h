@@ -29,8 +29,9 @@ The surface that a mesh stands for is rarely made of facets. Around each vertex 
 neighbors with weights that fall with their distance; its normals bend the facets into a surface without creases
 between them. Where the mesh samples a smooth surface, the error falls with the fourth power of the edge length
 instead of the second. The edges that `detect_features()` finds are features: they become smooth curves, the two sides keep
-their normals, and corners stay where they are; so does the border. Faces that touch a fold, an edge of more than 120
-degrees, stay flat. So, nearly, do edges that are several times as long as the faces beside them are wide, as along a cylinder.
+their normals, and corners stay where they are; so does the border. Faces that touch a fold, an edge of more than 60
+degrees, stay flat. So, nearly, do edges that are several times as long as the faces beside them are wide, as along a cylinder,
+and faces that are much larger than others around their corners, as beside a fillet: there the large ones tell the normals.
 
 No point P of the surface is further from its face than 0.15 times the mean edge length of the face; a projection lies
 within another 0.3 of these of P, so that a result is never further than 0.45 mean edge lengths from the mesh.

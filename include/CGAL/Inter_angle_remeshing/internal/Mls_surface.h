@@ -13,14 +13,15 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// Edges with a dihedral angle of more than 120 degrees are folds.
-constexpr double MLS_FOLD_COSINE = -0.5;
+// Edges with a dihedral angle of more than 60 degrees are folds.
+constexpr double MLS_FOLD_COSINE = 0.5;
 
 inline double mean_edge_length(const Reference_surface& surface, Reference_surface::Index f)
 {
@@ -113,6 +114,8 @@ private:
   // |d| is at most this fraction of the edge. What curves at the ends of an edge says little about one that is more than this many
   // times as long as the faces beside it are large: there it falls with the square of that.
   static constexpr double STEEPEST = 0.35, LONG = 2;
+  // Faces around a vertex are uneven where one has so many times the area of another.
+  static constexpr double UNEVEN = 16;
 
   static Vector3 clamped(const Vector3& d, double bound)
   {
@@ -135,6 +138,7 @@ private:
   void find_tangents();
   void fit_sectors();
   void fit_fan(Index first, std::vector<Vector3>& offsets);
+  Vector3 normal_of_uneven_sector(const std::vector<Index>& sector) const;
   void fit_sector(const std::vector<Index>& sector, std::vector<Vector3>& offsets);
   void find_rises();
   Vector3 feature_offset(Index f, int from, int to) const;
@@ -267,6 +271,24 @@ inline void Mls_surface::fit_fan(Index first, std::vector<Vector3>& offsets)
   fit_sector(sector, offsets);
 }
 
+// The larger a facet is, the less it turns from the surface, where all are as near to it: a fillet is tangent to the flats that it
+// joins, however small its facets are. So where the faces of a sector are uneven, the large ones say what the normal is, which is not
+// of unit length; else it is zero.
+inline Vector3 Mls_surface::normal_of_uneven_sector(const std::vector<Index>& sector) const
+{
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  Vector3 sum;
+  for (const Index h : sector) {
+    const Vector3 c = surface_->cross_product(h >> 2);
+    const double area = length(c);
+    if (!(area > 0)) continue;
+    least = (std::min)(least, area);
+    most = (std::max)(most, area);
+    sum += area * c;
+  }
+  return most > UNEVEN * least ? sum : Vector3();
+}
+
 // `sector`: the half-edges that leave the vertex through the faces of the sector, counterclockwise.
 inline void Mls_surface::fit_sector(const std::vector<Index>& sector, std::vector<Vector3>& offsets)
 {
@@ -296,8 +318,10 @@ inline void Mls_surface::fit_sector(const std::vector<Index>& sector, std::vecto
   scale /= double(first_neighbors);
   const double l = length(sum);
   if (!(l > 0) || !(scale > 0)) return;
+  const Vector3 uneven = normal_of_uneven_sector(sector);
+  const double u = length(uneven);
   for (const Index h : sector) faces_[h >> 2].sector[h & 3] = Index(normals_.size());
-  normals_.push_back(fit_normal(offsets, (1 / l) * sum, scale));
+  normals_.push_back(u > 0 ? (1 / u) * uneven : fit_normal(offsets, (1 / l) * sum, scale));
 }
 
 // Whether one of the faces at h touches a fold.
@@ -318,7 +342,7 @@ inline void Mls_surface::find_rises()
         if (is_beside_fold(h)) continue;
         const Vector3 e = corner(f, (k + 1 + side) % 3) - corner(f, k);
         const double size = across >= 0 ? (std::min)(sizes_[f], sizes_[across >> 2]) : sizes_[f];
-        const double l = length(e), bound = STEEPEST * l, part = (std::min)(1., LONG * size / l);
+        const double l = length(e), bound = STEEPEST * l, part = l > LONG * size ? LONG * size / l : 1.;
         faces_[f].rise[k][side] = float(part * part * (std::max)(-bound, (std::min)(bound, dot(e, n))));
       }
     }

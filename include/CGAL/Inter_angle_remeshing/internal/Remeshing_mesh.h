@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -233,7 +234,11 @@ public:
   }
 
   bool is_flip_legal(Index h) const;
-  bool is_split_legal(Index h) const { return !is_protected(h); }
+  bool is_split_legal(Index h) const
+  {
+    const Index o = opposite(h);
+    return !is_protected(h) && (h < 0 || valence(apex(h)) < LARGEST_VALENCE) && (o < 0 || valence(apex(o)) < LARGEST_VALENCE);
+  }
   // Whether the source of h may be merged into its target: the link condition, and both curves and what lies
   // outside of the range kept. h may be a border side, here and in collapse().
   bool is_collapse_legal(Index h) const;
@@ -297,6 +302,8 @@ private:
     std::uint8_t regular_valence = 6;
   };
 
+  // What a vertex's state has room for.
+  static constexpr int LARGEST_VALENCE = (std::numeric_limits<std::uint16_t>::max)();
   // A vertex of this valence cannot lose an edge.
   int least_valence(Index v) const { return is_border_vertex(v) ? 2 : 3; }
 
@@ -419,7 +426,7 @@ inline bool Remeshing_mesh::is_collapse_legal(Index h) const
 {
   const Index g = opposite(h), a = source(h), b = source(g);
   const Index side = h >= 0 ? h : g;                         // a half-edge of the edge that has a face
-  if (is_locked(a) || is_protected(side)) return false;
+  if (is_locked(a) || is_protected(side) || valence(a) + valence(b) > LARGEST_VALENCE) return false;
   if (is_on_curve(a)) {
     // The triangle of the edge goes; if its other two edges are on curves, too, these would fall into one.
     if (!is_on_curve_edge(side)) return false;

@@ -282,6 +282,8 @@ private:
     const auto& corner = mesh_.face_record(f).vertex;
     std::vector<Index> centers = ball(mesh_, {corner[0], corner[1], corner[2]}, 1, marks_);
     centers.resize((std::min)(centers.size(), round_ == 0 ? VERTICES_AT_FIRST : VERTICES_LATER));
+    const auto is_hub = [&](Index v) { return std::size_t(mesh_.valence(v)) > LARGEST_REGION; };
+    centers.erase(std::remove_if(centers.begin(), centers.end(), is_hub), centers.end());
     std::vector<Index> edges;
     std::vector<Operation> result;
     if (fault_ == Fault::crossing && context_.projector.has_faces())

@@ -76,6 +76,7 @@ public:
       keep_seeds();
       find_region();
       flip(report);
+      find_region();             // flips change who is near
       relaxation_.run<CGAL::Sequential_tag>(mesh_, context_.projector, SWEEPS, Pull_back::after_last_sweep,
                                                      curve_tolerance, &region_);
       find_seeds();
