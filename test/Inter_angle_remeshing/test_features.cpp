@@ -292,17 +292,23 @@ void rims_of_cuts_are_features()
   }
 }
 
+// Each coordinate of each vertex moved by some mean edge lengths, at random, with this standard deviation.
+Mesh with_noise(Mesh m, double deviation)
+{
+  const double length = mean_edge_length(m);
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  for(const Vertex v : m.vertices())
+    m.point(v) += deviation * length * Vector(normal(random), normal(random), normal(random));
+  return m;
+}
+
 void noise_hides_no_edge_and_makes_none()
 {
   const Mesh m = read("fandisk");
-  const double length = mean_edge_length(m);
   for(const double noise : {.05, .15})
   {
-    Mesh noisy = m;
-    std::mt19937 random(1);
-    std::normal_distribution<double> normal;
-    for(const Vertex v : noisy.vertices())
-      noisy.point(v) += noise * length / std::sqrt(3.) * Vector(normal(random), normal(random), normal(random));
+    const Mesh noisy = with_noise(m, noise / std::sqrt(3.));
     const std::set<Edge> found = found_features(noisy);
     std::size_t sharp = 0, right = 0;
     for(const Edge e : m.edges())
@@ -314,6 +320,43 @@ void noise_hides_no_edge_and_makes_none()
     CHECK_MESSAGE(right >= .95 * sharp, noise << ": recall " << double(right) / double(sharp));
     CHECK_MESSAGE(right >= .9 * found.size(), noise << ": precision " << double(right) / double(found.size()));
   }
+}
+
+// Where noise makes most of the edges sharp, the mesh is no CAD model: all of the noise would be kept. A knurled plate, as sharp
+// everywhere, and with as many saddles, is one.
+void the_roughest_noise_is_no_feature()
+{
+  for(const double deviation : {.2, .4, .6})
+  {
+    Mesh m = with_noise(read("elephant"), deviation);
+    const std::size_t found = found_features(m).size();
+    CHECK_MESSAGE(100 * found <= m.number_of_edges(), deviation << ": " << found);
+    if(deviation != .4)
+      continue;
+    const auto report = IAR::isotropic_remeshing(2.5 * mean_edge_length(m), m);
+    CHECK(report.features != Features::all_sharp_edges);
+    CHECK_MESSAGE(report.output_faces < 1200, report.output_faces);
+  }
+
+  constexpr std::size_t N = 14;     // pyramids a side
+  meshes::Soup plate;
+  for(std::size_t j = 0; j <= N; ++j)
+    for(std::size_t i = 0; i <= N; ++i)
+      plate.points.push_back({double(i), double(j), 0});
+  for(std::size_t j = 0; j < N; ++j)
+    for(std::size_t i = 0; i < N; ++i)
+    {
+      const std::size_t a = j * (N + 1) + i, base[] = {a, a + 1, a + N + 2, a + N + 1};
+      for(int k = 0; k < 4; ++k)
+        plate.faces.push_back({base[k], base[(k + 1) % 4], plate.points.size()});
+      plate.points.push_back({double(i) + .5, double(j) + .5, .5});
+    }
+  const Mesh knurled = meshes::to_mesh<Mesh>(plate);
+  std::size_t sharp = 0;
+  for(const Edge e : knurled.edges())
+    sharp += !knurled.is_border(e) && dihedral_angle(e, knurled) >= 40;
+  const std::size_t found = found_features(knurled).size();
+  CHECK_MESSAGE(sharp > 1000 && found == sharp, found << " of " << sharp);
 }
 
 void a_range_and_other_types_will_do()
@@ -1080,6 +1123,7 @@ int main()
   folded_slivers_are_no_features();
   needles_of_boolean_operations_are_removed();
   noise_hides_no_edge_and_makes_none();
+  the_roughest_noise_is_no_feature();
   a_range_and_other_types_will_do();
   cad_models_keep_their_features();
   features_cost_nothing_but_angles();

@@ -75,6 +75,9 @@ private:
   static constexpr std::size_t LONG_RING = 9;
   // The edges in between may be so many times as long as sharp ones that form a network.
   static constexpr double MOST_MILD = 3.5;
+  // Edges are those of noise where so many of their vertices are saddles, and this part of all.
+  static constexpr std::size_t LEAST_SADDLES = 50;
+  static constexpr double NOISE_SHARE = 0.1;
   static constexpr double NARROW = 0.05;                // strip, in lengths
   // A planar part has at least so many faces, and the area of so many squares of the mean edge. Its rim is that of a cut or a base
   // if this part of its length is this sharp: the terraces of isosurfaces of voxels meet at 45 degrees.
@@ -177,12 +180,33 @@ private:
       (c <= sharp ? of_sharp : of_mild) += l;
       if (c > sharp && is_in_polygon(h) && is_in_polygon(mesh_.opposite(h))) of_facets += l;
     });
-    const auto is_cad_with = [&](double length) {
-      return of_mild < 0.5 * length || (of_mild < 1.1 * length && 2 * flat_edges > edges) || of_mild - of_facets < 0.2 * length;
-    };
     const std::vector<Index> candidates = sharp_edges(CAD_ANGLE);
     const double of_long = length_in_long_components(candidates);
-    is_cad_ = (is_cad_with(of_sharp) && is_cad_with(of_long)) || (of_mild < MOST_MILD * of_long && form_network(candidates));
+    const auto are_few_mild = [&](double length) { return of_mild - of_facets < 0.2 * length; };
+    const auto is_cad_with = [&](double length) {
+      return of_mild < 0.5 * length || (of_mild < 1.1 * length && 2 * flat_edges > edges) || are_few_mild(length);
+    };
+    is_cad_ = ((is_cad_with(of_sharp) && is_cad_with(of_long)) || (of_mild < MOST_MILD * of_long && form_network(candidates))) &&
+              ((are_few_mild(of_sharp) && are_few_mild(of_long)) || !are_of_noise(candidates));
+  }
+
+  // Whether many of the vertices between these edges are saddles, where two and more ridges meet two and more grooves: noise makes
+  // them everywhere, and a part has few such corners.
+  bool are_of_noise(const std::vector<Index>& edges) const
+  {
+    struct Edges { int ridges = 0, grooves = 0; };
+    std::vector<Edges> edges_at(mesh_.number_of_vertex_slots());
+    for (const Index h : edges) {
+      const Index v = mesh_.origin(h);
+      const bool is_ridge = dot(normal_[h >> 2], mesh_.position(mesh_.apex(mesh_.opposite(h))) - mesh_.position(v)) < 0;
+      for (const Index end : {v, mesh_.target(h)}) ++(is_ridge ? edges_at[end].ridges : edges_at[end].grooves);
+    }
+    std::size_t vertices = 0, saddles = 0;
+    for (const Edges& e : edges_at) {
+      vertices += e.ridges + e.grooves > 0;
+      saddles += e.ridges > 1 && e.grooves > 1;
+    }
+    return saddles >= LEAST_SADDLES && double(saddles) > NOISE_SHARE * double(vertices);
   }
 
   bool form_network(const std::vector<Index>& edges) const
