@@ -115,7 +115,7 @@ private:
   // times as long as the faces beside it are large: there it falls with the square of that.
   static constexpr double STEEPEST = 0.35, LONG = 2;
   // Faces around a vertex are uneven where one has so many times the area of another.
-  static constexpr double UNEVEN = 16;
+  static constexpr double UNEVEN = 32;
 
   static Vector3 clamped(const Vector3& d, double bound)
   {
