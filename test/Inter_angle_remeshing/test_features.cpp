@@ -322,8 +322,7 @@ void noise_hides_no_edge_and_makes_none()
   }
 }
 
-// Where noise makes most of the edges sharp, the mesh is no CAD model: all of the noise would be kept. A knurled plate, as sharp
-// everywhere, and with as many saddles, is one.
+// Where noise makes most of the edges sharp, the mesh is no CAD model: all of the noise would be kept.
 void the_roughest_noise_is_no_feature()
 {
   for(const double deviation : {.2, .4, .6})
@@ -337,7 +336,11 @@ void the_roughest_noise_is_no_feature()
     CHECK(report.features != Features::all_sharp_edges);
     CHECK_MESSAGE(report.output_faces < 1200, report.output_faces);
   }
+}
 
+// As sharp everywhere as the roughest noise, and with as many saddles, but a CAD model.
+void knurled_plates_keep_their_pyramids()
+{
   constexpr std::size_t N = 14;     // pyramids a side
   meshes::Soup plate;
   for(std::size_t j = 0; j <= N; ++j)
@@ -1124,6 +1127,7 @@ int main()
   needles_of_boolean_operations_are_removed();
   noise_hides_no_edge_and_makes_none();
   the_roughest_noise_is_no_feature();
+  knurled_plates_keep_their_pyramids();
   a_range_and_other_types_will_do();
   cad_models_keep_their_features();
   features_cost_nothing_but_angles();

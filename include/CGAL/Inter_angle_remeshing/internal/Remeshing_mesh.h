@@ -302,7 +302,7 @@ private:
     std::uint8_t regular_valence = 6;
   };
 
-  // What a vertex's state has room for.
+  // The most that a vertex's state has room for.
   static constexpr int LARGEST_VALENCE = (std::numeric_limits<std::uint16_t>::max)();
   // A vertex of this valence cannot lose an edge.
   int least_valence(Index v) const { return is_border_vertex(v) ? 2 : 3; }
@@ -419,6 +419,7 @@ inline bool Remeshing_mesh::is_flip_legal(Index h) const
   const Index o = opposite(h);
   const Index a = origin(h), b = origin(o), c = apex(h), d = apex(o);
   return c != d && state_[a].valence > least_valence(a) && state_[b].valence > least_valence(b) &&
+         state_[c].valence < LARGEST_VALENCE && state_[d].valence < LARGEST_VALENCE &&
          !may_meet_outside(c, d) && !is_adjacent(c, d);
 }
 
