@@ -8,10 +8,11 @@
 //
 //   coarse_to_fine [folder]      the meshes are written there: NAME_coarse.off, NAME_pmp.off, NAME_facets.off, NAME.off
 //
-// Models: a sphere and a torus of 500 faces, and organic models of CGAL remeshed to 1500 and 4000 faces, whose vertices lie
-// on the full model. The distances are the mean and largest ones of points of the result (or of the coarse model) from the
-// sphere or torus, or from the full model.
+// Models: a sphere and a torus of 500 faces, and organic models of CGAL remeshed to 1500 and 4000 faces, or to 150 and 300, which
+// leaves little but creases; the vertices lie on the full model. The distances are the mean and largest ones of points of the result
+// (or of the coarse model) from the sphere or torus, or from the full model.
 
+#include "crossing_pairs.h"
 #include "meshes.h"
 
 #include <CGAL/Inter_angle_remeshing/Projection/Closest_point_projector.h>
@@ -141,10 +142,10 @@ void refine(const Model& model, const std::string& folder)
   });
   const Errors before = errors(coarse, model.truth), ours = errors(by_default, model.truth),
                pmp = errors(by_pmp, model.truth), facets = errors(on_facets, model.truth);
-  std::printf("| %s | %zu | %.2g / %.2g | %.2g / %.2g | %.2g / %.2g | %.2g / %.2g | %.1f / %.1f | %.1f |\n",
+  std::printf("| %s | %zu | %.2g / %.2g | %.2g / %.2g | %.2g / %.2g | %.2g / %.2g | %.1f / %.1f | %.1f | %zu / %zu |\n",
               model.name.c_str(), std::size_t(coarse.number_of_faces()), before.mean, before.largest, pmp.mean, pmp.largest,
               facets.mean, facets.largest, ours.mean, ours.largest, pmp.mean / ours.mean, pmp.largest / ours.largest,
-              pmp_time / time);
+              pmp_time / time, crossing_pairs(by_pmp), crossing_pairs(by_default));
   std::fflush(stdout);
   if (folder.empty()) return;
   const auto write = [&](const std::string& suffix, const Mesh& mesh) {
@@ -182,12 +183,15 @@ void print_rule(const Model& model)
 int main(int argc, char** argv)
 {
   const std::string folder = argc > 1 ? argv[1] : "";
-  std::printf("| model | faces | coarse | PMP | facets kept | default | PMP : default | PMP : default, time |\n"
-              "|---|---|---|---|---|---|---|---|\n");
+  std::printf("| model | faces | coarse | PMP | facets kept | default | PMP : default | PMP : default, time | "
+              "crossings, PMP / default |\n|---|---|---|---|---|---|---|---|---|\n");
   refine(sphere(), folder);
   refine(torus(500), folder);
   for (const char* name : {"bunny00", "armadillo", "elephant"})
     for (const std::size_t faces : {1500, 4000}) refine(organic(name, faces), folder);
+  refine(organic("elephant", 300), folder);
+  refine(organic("triceratops", 150), folder);
+  refine(organic("camel", 150), folder);
   std::printf("\n| model | target | to input: facets | default | MLS | to truth: facets | default | MLS |\n"
               "|---|---|---|---|---|---|---|---|\n");
   print_rule(torus(2000));

@@ -37,6 +37,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -1111,6 +1112,33 @@ void folded_slivers_are_no_features()
   CHECK_MESSAGE(angles.minimum_angle > 30 && angles.maximum_angle < 110, angles.minimum_angle << ".." << angles.maximum_angle);
 }
 
+// A coarse organic model that is refined has creases: as they are no designed edges, they are none of the model itself, but where
+// they are cut off from both sides, the sides run through each other.
+void coarse_models_keep_their_creases()
+{
+  for(const auto& [name, coarse, fine] : {std::tuple<const char*, std::size_t, std::size_t>{"triceratops", 150, 8000}, {"elephant", 300, 20000}})
+  {
+    Mesh m = read(name);
+    const auto of_itself = IAR::isotropic_remeshing(IAR::Face_count(coarse), m);
+    m.collect_garbage();
+    CHECK(of_itself.features == Features::none && !does_self_intersect(m));
+    CHECK_MESSAGE(found_features(m).empty(), name);
+
+    Mesh with = m, without = m, smoothed = m;
+    const auto report = IAR::isotropic_remeshing(IAR::Face_count(fine), with);
+    CHECK_MESSAGE(found_features(m, IAR::target_edge_length(faces(m), m, fine)).size() == report.feature_edges, name);
+    CHECK_MESSAGE(IAR::isotropic_remeshing(0., smoothed, parameters::number_of_iterations(1)).features == Features::none, name);
+    CHECK_MESSAGE(report.features == Features::outstanding_edges && report.feature_edges > 20, name << ": " << report.feature_edges);
+    CHECK_MESSAGE(!does_self_intersect(with), name);
+    CHECK_MESSAGE(report.number_of_faces_out_of_band < 10, name << ": " << report.number_of_faces_out_of_band);
+    const auto rounded = IAR::isotropic_remeshing(IAR::Face_count(fine), without, parameters::sharpness_angle(180));
+    CHECK_MESSAGE(IAR::surface_distance(m, with).mean() < .8 * IAR::surface_distance(m, without).mean(), name);
+    CHECK_MESSAGE(rounded.are_crossing_faces_known && rounded.number_of_faces_out_of_band > 30, name);
+    if(meshes::is_small_run())
+      break;
+  }
+}
+
 int main()
 {
   coarser_runs_find_no_more();
@@ -1124,6 +1152,7 @@ int main()
   rims_of_cuts_are_features();
   a_fold_is_no_feature();
   folded_slivers_are_no_features();
+  coarse_models_keep_their_creases();
   needles_of_boolean_operations_are_removed();
   noise_hides_no_edge_and_makes_none();
   the_roughest_noise_is_no_feature();

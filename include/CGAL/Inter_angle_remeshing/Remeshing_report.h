@@ -34,7 +34,7 @@ struct Remeshing_report
     none,             ///< none: found none, or none asked for
     marked,           ///< those marked by `edge_is_constrained_map`, `face_patch_map` or `sharpness_angle`
     all_sharp_edges,  ///< found by themselves: the model is a CAD model, every edge of 40 degrees and more
-    outstanding_edges ///< found by themselves: long chains of edges that stand out of their surroundings
+    outstanding_edges ///< found by themselves: long chains of edges that stand out of their surroundings, creases of coarse models
   };
 
   /// the angles of a set of triangles, in degrees
@@ -93,9 +93,11 @@ struct Remeshing_report
   /// the number of operations that mended angles out of the band, folds, and faces that crossed others
   std::size_t repairs = 0;
   /// the number of faces of the range that cross others of it in the end, as they do where the input crosses itself; two that share
-  /// an edge do not. They are looked for where `Recipe::repair` is on and the target length is not much less than the altitudes of
-  /// the surface's faces; else 0
+  /// an edge do not; 0 where they were not looked for
   std::size_t crossing_faces = 0;
+  /// whether they were looked for: `Recipe::repair` is on, and the target length is not much less than the altitudes of the surface's
+  /// faces, or a face is out of the band
+  bool are_crossing_faces_known = false;
   /// the angles of the range before
   Angles angles_before;
   /// the angles of the range afterwards

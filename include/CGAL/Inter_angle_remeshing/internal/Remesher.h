@@ -452,12 +452,14 @@ private:
       run_pass(Pass::repair, report_.repairs, [&]() { return repairer.run(); });
   }
 
-  // Chords much shorter than the surface's own do not lead through another sheet.
+  // Chords much shorter than the surface's own do not lead through another sheet, but where the mesh is a wreck.
   void part_crossing_faces(Repairer& repairer)
   {
-    if (repairs() && !(context_.projector.has_faces() && is_finer_than_surface(context_, context_.target_length)))
-      run_pass(Pass::repair, report_.repairs, [&]() {
-        return repairer.part_crossing_faces<ConcurrencyTag>(report_.crossing_faces); });
+    if (!repairs() || (context_.projector.has_faces() && !repairer.leaves_bad_faces() &&
+                       is_finer_than_surface(context_, context_.target_length))) return;
+    report_.are_crossing_faces_known = true;
+    run_pass(Pass::repair, report_.repairs, [&]() {
+      return repairer.part_crossing_faces<ConcurrencyTag>(report_.crossing_faces); });
   }
 
   Remeshing_report finish()

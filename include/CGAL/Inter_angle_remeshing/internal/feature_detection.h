@@ -56,6 +56,20 @@ public:
     found = long_chains(found, long_rims(rims, own_length_), own_length_);
     return length_ > own_length_ ? long_chains(found, long_rims(rims, length_), length_) : found;
   }
+  // The same for edges of a target length, which may be another one on every face, `target_length(f)`: where a model that is no CAD
+  // model is coarse for it, with its creases. The result would cut them off from both sides.
+  template <class Length>
+  std::vector<Index> features(const Length& target_length)
+  {
+    std::vector<Index> found = features();
+    for (const Index h : creases_)
+      if (is_coarse(h, target_length(h >> 2)) && is_coarse(mesh_.opposite(h), target_length(mesh_.opposite(h) >> 2)))
+        found.push_back(h);
+    for (Index& h : found) h = (std::min)(h, mesh_.opposite(h));
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
 
 private:
   // Dihedral angles in degrees.
@@ -79,6 +93,9 @@ private:
   static constexpr std::size_t LEAST_SADDLES = 50;
   static constexpr double NOISE_SHARE = 0.1;
   static constexpr double NARROW = 0.05;                // strip, in lengths
+  // Edges of at least this angle are creases where they make up this part of the length of all edges, and the model is coarse there
+  // where they, and the altitudes of the faces over them, have so many target lengths.
+  static constexpr double CREASE_ANGLE = 70, CREASE_SHARE = 0.05, COARSE = 2;
   // A planar part has at least so many faces, and the area of so many squares of the mean edge. Its rim is that of a cut or a base
   // if this part of its length is this sharp: the terraces of isosurfaces of voxels meet at 45 degrees.
   static constexpr std::size_t LEAST_PLANAR_FACES = 12;
@@ -142,6 +159,12 @@ private:
         if (mesh_.opposite(h) > h) function(h);
   }
 
+  bool is_coarse(Index h, double target_length) const
+  {
+    const double l = std::sqrt(mesh_.squared_edge_length(h)), least = COARSE * target_length;
+    return target_length > 0 && l >= least && double(area_[h >> 2]) >= least * l;
+  }
+
   // Those of the sharp edges that have at least this angle.
   std::vector<Index> sharp_edges(double degrees) const
   {
@@ -168,15 +191,15 @@ private:
   {
     const double sharp = cosine_of(CAD_ANGLE), mild = cosine_of(MILD_ANGLE), flat = cosine_of(FLAT_ANGLE),
                  least = cosine_of(LEAST_ANGLE);
-    double of_sharp = 0, of_mild = 0, of_facets = 0;
+    double of_all = 0, of_sharp = 0, of_mild = 0, of_facets = 0, of_creases = 0;
     std::size_t flat_edges = 0, edges = 0;
     for_each_inner_edge([&](Index h) {
-      const double c = cosine(h);
+      const double c = cosine(h), l = std::sqrt(mesh_.squared_edge_length(h));
       ++edges;
+      of_all += l;
       flat_edges += c > flat;
       if (c <= least) sharp_edges_.push_back(h);
       if (c > mild) return;
-      const double l = std::sqrt(mesh_.squared_edge_length(h));
       (c <= sharp ? of_sharp : of_mild) += l;
       if (c > sharp && is_in_polygon(h) && is_in_polygon(mesh_.opposite(h))) of_facets += l;
     });
@@ -188,6 +211,10 @@ private:
     };
     is_cad_ = ((is_cad_with(of_sharp) && is_cad_with(of_long)) || (of_mild < MOST_MILD * of_long && form_network(candidates))) &&
               ((are_few_mild(of_sharp) && are_few_mild(of_long)) || !are_of_noise(candidates));
+    if (is_cad_) return;
+    creases_ = sharp_edges(CREASE_ANGLE);
+    for (const Index h : creases_) of_creases += std::sqrt(mesh_.squared_edge_length(h));
+    if (of_creases < CREASE_SHARE * of_all || are_of_noise(candidates)) creases_.clear();
   }
 
   // Whether many of the vertices between these edges are saddles, where two and more ridges meet two and more grooves: noise makes
@@ -273,6 +300,7 @@ private:
   std::vector<Vector3> normal_;        // unit, by face; zero where the face has none
   std::vector<float> area_;            // by face, twice
   std::vector<Index> sharp_edges_;     // of LEAST_ANGLE and more, before the filter
+  std::vector<Index> creases_;         // of CREASE_ANGLE and more, before the filter; empty: too few
   std::vector<Index> active_;
   std::vector<char> is_active_;
   std::vector<float> noise_;           // by vertex, degrees; negative: not known yet

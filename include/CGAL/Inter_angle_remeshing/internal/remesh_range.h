@@ -104,7 +104,7 @@ inline std::size_t count_features(const Remeshing_mesh& mesh)
 // Features are found by themselves where nothing is marked, and where the surface stays the input's: a functor of the
 // user's may lead to any other, a sphere for an icosahedron.
 template <class Parameters>
-Input_kind find_and_mark_features(Remeshing_mesh& mesh, double length, const Parameters& parameters)
+Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, double mean_length, const Parameters& parameters)
 {
   using Functor = std::decay_t<decltype(referred(parameters.projection_functor))>;
   constexpr bool keeps_surface = std::is_same<Functor, No_map>::value || Has_reference_surface<Functor>::value;
@@ -112,11 +112,12 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, double length, const Par
   Input_kind kind{false, false, Features::none, count_features(mesh)};
   if (kind.feature_edges > 0) kind.features = Features::marked;
   if (!keeps_surface || parameters.recipe.surface == Recipe::Surface::paper) return kind;
-  Feature_detector detector(mesh, length);
+  Feature_detector detector(mesh, (std::max)(target.length, mean_length));
   kind.is_cad = detector.is_cad();
   kind.has_found_features = parameters.constraint_settings.finds_features;
   if (!kind.has_found_features) return kind;
-  const std::vector<Remeshing_mesh::Index> found = detector.features();
+  const std::vector<Remeshing_mesh::Index> found = detector.features([&](Remeshing_mesh::Index f) {
+    return target.length * target.sizing.part_of_face(mesh.face_record(f).source); });
   for (const Remeshing_mesh::Index h : found) mark_feature(mesh, h);
   if (!found.empty()) kind.features = kind.is_cad ? Features::all_sharp_edges : Features::outstanding_edges;
   kind.feature_edges = count_features(mesh);
@@ -151,7 +152,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   mark_constraints(exchange, tmesh, parameters.edge_is_constrained_map, parameters.vertex_is_constrained_map,
                    parameters.face_patch_map, parameters.constraint_settings);
   const double mean_length = total_length / (1.5 * double(exchange.input_faces().size()));
-  const Input_kind kind = find_and_mark_features(exchange.mesh(), (std::max)(target, mean_length), parameters);
+  const Input_kind kind = find_and_mark_features(exchange.mesh(), wanted, mean_length, parameters);
   lock_corners(exchange.mesh(), kind.is_cad ? 0. : target);    // designed curves are not jagged
   const auto patches = read_patches(parameters.face_patch_map, exchange.input_faces());
   Remeshing_mesh mesh = exchange.take_mesh();

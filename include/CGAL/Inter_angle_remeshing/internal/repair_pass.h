@@ -67,8 +67,8 @@ class Repairer
   static constexpr double CROSSING = 100, CROSSING_LENGTH = 3000, SPLIT_AT_CROSSING = 0.1;
   // To unfold a face the mesh may withdraw so many times as far.
   static constexpr double UNFOLDING = 2;
-  // Where the surface crosses itself within so many target lengths, faces may cross. Places that are this near to each other, of which
-  // a surface finer than the target has any number, are one.
+  // Where the surface crosses itself within so many target lengths, or edges of its own, faces may cross. Places that are this near
+  // to each other, of which a surface finer than the target has any number, are one.
   static constexpr double SAME_PLACE = 1.5, ONE_PLACE = 0.1;
   // What an operation near a face changes lies within so many rings of it.
   static constexpr int REACH = 3;
@@ -108,6 +108,9 @@ public:
     });
   }
 
+  // Whether the last run left faces out of their bands, or folded.
+  bool leaves_bad_faces() const { return leaves_bad_faces_; }
+
   // The same for faces that cross others; at the end `crossing` is the number of those that still do.
   template <class ConcurrencyTag>
   std::size_t part_crossing_faces(std::size_t& crossing)
@@ -116,7 +119,7 @@ public:
     in_vain_.clear();
     fault_ = Fault::crossing;
     most_trials_ = 0;
-    std::optional<Point_grid> places_of_surface;
+    std::optional<Places> places_of_surface;
     const std::size_t operations = mend([&]() {
       const std::vector<std::pair<Index, Index>> pairs = crossing_faces<ConcurrencyTag>(mesh_);
       Bad_faces result{faces_of(pairs)};
@@ -153,6 +156,7 @@ private:
     double least = std::numeric_limits<double>::infinity();
     for (round_ = 0; round_ < MAXIMUM_ROUNDS; ++round_) {
       const Bad_faces bad = find();
+      leaves_bad_faces_ = !bad.faces.empty();
       if (bad.faces.empty() || (round_ > 1 && !(bad.score < least))) break;
       least = (std::min)(least, bad.score);
       if (most_trials_ == 0)
@@ -184,25 +188,36 @@ private:
     return violation(f) > 0;
   }
 
-  // Corners of the faces of the surface that cross others, in units of the mesh; of those close together one.
-  template <class ConcurrencyTag>
-  Point_grid places_where_surface_crosses() const
+  // Where the surface crosses itself: corners of its faces that do, in units of the mesh, of those close together one.
+  struct Places
   {
-    Point_grid result(SAME_PLACE * context_.largest_length());
-    if (!context_.projector.has_faces()) return result;
+    Point_grid corners;
+    double reach = 0;                      // the mean edge length of the surface: what is bent over its faces crosses elsewhere
+  };
+
+  template <class ConcurrencyTag>
+  Places places_where_surface_crosses() const
+  {
+    if (!context_.projector.has_faces()) return {Point_grid(SAME_PLACE * context_.largest_length())};
     const Reference_surface& surface = *context_.projector.surface;
+    double sum = 0;
+    for (Index f = 0; f < Index(surface.number_of_faces()); ++f) sum += mean_edge_length(surface, f);
+    const double reach = sum / (double(surface.number_of_faces()) * context_.projector.factor);
+    Places result{Point_grid(SAME_PLACE * (std::max)(reach, context_.largest_length())), reach};
     for (const Index f : faces_of(crossing_faces<ConcurrencyTag>(surface)))
       for (const Index v : surface.face_record(f).vertex) {
         const Vector3 p = (1 / context_.projector.factor) * surface.position(v);
-        if (!result.has_near(p, ONE_PLACE * context_.target_length)) result.insert(p);
+        if (!result.corners.has_near(p, ONE_PLACE * context_.target_length)) result.corners.insert(p);
       }
     return result;
   }
 
-  bool is_near(const Point_grid& places, Index f) const
+  bool is_near(const Places& places, Index f) const
   {
     const auto& v = mesh_.face_record(f).vertex;
-    return std::any_of(v, v + 3, [&](Index u) { return places.has_near(mesh_.position(u), SAME_PLACE * context_.length_at(u)); });
+    return std::any_of(v, v + 3, [&](Index u) {
+      return places.corners.has_near(mesh_.position(u), SAME_PLACE * (std::max)(places.reach, context_.length_at(u)));
+    });
   }
 
   // 1 if no operation next to face f helps, 2 if none near it does.
@@ -424,6 +439,7 @@ private:
   std::optional<Face_grid> grid_;        // for crossings
   std::vector<Index> near_;              // the faces that may cross those around the face at hand
   int round_ = 0;
+  bool leaves_bad_faces_ = false;        // after the last run
   Fault fault_ = Fault::angle;           // of the face at hand
   std::array<std::size_t, 3> trials_{};  // by fault; folds leave angles to mend
   std::size_t most_trials_ = 0;          // of each
