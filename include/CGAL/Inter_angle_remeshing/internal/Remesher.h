@@ -9,6 +9,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/angle_bands.h>
 #include <CGAL/Inter_angle_remeshing/internal/angle_summary.h>
+#include <CGAL/Inter_angle_remeshing/internal/bent_vertices.h>
 #include <CGAL/Inter_angle_remeshing/internal/clean_up_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/coarse_levels.h>
 #include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
@@ -93,8 +94,20 @@ private:
 
   void run_directly()
   {
+    held_ = bent_vertices_between_long_edges(context_);
+    hold();
     make_iterations();
+    release();
     if (goes_on() && recipe_.clean_up) clean_up();
+  }
+
+  void hold()
+  {
+    for (const Index v : held_) mesh_.add_marks(v, Remeshing_mesh::HELD);
+  }
+  void release()
+  {
+    for (Index v = 0; v < Index(mesh_.number_of_vertex_slots()); ++v) mesh_.remove_marks(v, Remeshing_mesh::HELD);
   }
 
   void make_iterations()
@@ -160,11 +173,11 @@ private:
   {
     context_.target_length = std::ldexp(context_.target_length, int(levels_));
     wanted_faces_ >>= 2 * levels_;
-    for (const Index v : held_) mesh_.add_marks(v, Remeshing_mesh::HELD);
+    hold();
     make_iterations();
     if (goes_on()) mend_valences();
     if (goes_on()) polish();
-    for (Index v = 0; v < Index(mesh_.number_of_vertex_slots()); ++v) mesh_.remove_marks(v, Remeshing_mesh::HELD);
+    release();
     while (levels_ > 0 && goes_on()) {
       if (cuts_through_itself()) return;
       go_to_finer_level();
@@ -518,7 +531,7 @@ private:
   Remeshing_report report_;
   unsigned last_iteration_;              // how many are made, unless the run is cancelled
   unsigned stages_ = 0, levels_ = 0;     // levels that the run has in all, and still to come
-  std::vector<Index> held_;              // vertices that stay where they are on the coarsest level
+  std::vector<Index> held_;              // vertices that stay where they are in the iterations
   bool is_fitted_ = false;               // from then on, vertices need not lie on the surface
   bool is_stirred_up_ = false;           // once only
   bool has_poor_spots_ = false;          // of which the spots' own iterations did not get the better

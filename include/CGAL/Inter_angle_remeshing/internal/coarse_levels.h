@@ -5,6 +5,7 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_COARSE_LEVELS_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_COARSE_LEVELS_H
 
+#include <CGAL/Inter_angle_remeshing/internal/bent_vertices.h>
 #include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
 
 #include <limits>
@@ -25,7 +26,6 @@ class Coarse_levels
 {
   using Index = Remeshing_mesh::Index;
 
-  static constexpr double BENT = 0.25;
   // How long edges of a level may be, in mean edge lengths of the input: of the several ways to take that mean none is the one.
   static constexpr double COARSEST = 1.05;
   // Where more than this part of the vertices were held, with corners and others that stay anyway, they would stand too close
@@ -84,17 +84,9 @@ private:
   // The longest that edges at v may be: 0 where those that are there are too long already.
   static double longest_edges_at(const Remeshing_mesh& mesh, Index v)
   {
-    Vector3 sum;
-    double total = 0, edges = 0;
-    mesh.for_each_around(v, [&](Index h) {
-      const Vector3 c = triangle_cross(mesh.position(v), mesh.position(mesh.target(h)), mesh.position(mesh.apex(h)));
-      sum += c;
-      total += length(c);
-      edges += length(mesh.position(mesh.target(h)) - mesh.position(v));
-    });
-    const double bend = total > 0 ? 1 - length(sum) / total : 0.;
-    if (bend > BENT) return 0;
-    return bend > 0 ? BENT / bend * edges / mesh.valence(v) : UNBENT;
+    const Star_shape star = star_shape(mesh, v);
+    if (star.bend > BENT) return 0;
+    return star.bend > 0 ? BENT / star.bend * star.mean_edge_length : UNBENT;
   }
 
   double mean_length_ = 0;
