@@ -181,6 +181,12 @@ void no_faces_are_refused_as_a_wish()
 {
   check_refused("the wanted number of faces is 0", [](Mesh& g) { IAR::isotropic_remeshing(IAR::Face_count(0), g); });
   check_refused("the wanted number of faces is 0", [](Mesh& g) { IAR::target_edge_length(faces(g), g, 0); });
+  {
+    Mesh flat;
+    flat.add_face(flat.add_vertex(Point(0, 0, 0)), flat.add_vertex(Point(1, 0, 0)), flat.add_vertex(Point(3, 0, 0)));
+    CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing(IAR::Face_count(100), flat), CGAL::Precondition_exception, "without an area");
+    CHECK(flat.number_of_faces() == 1);
+  }
 }
 
 void parameters_out_of_their_range_are_refused()
