@@ -1112,11 +1112,12 @@ void folded_slivers_are_no_features()
   CHECK_MESSAGE(angles.minimum_angle > 30 && angles.maximum_angle < 110, angles.minimum_angle << ".." << angles.maximum_angle);
 }
 
-// A coarse organic model that is refined has creases: as they are no designed edges, they are none of the model itself, but where
-// they are cut off from both sides, the sides run through each other.
+// A coarse organic model has creases. They are no features at its own length, but where it is refined: cut off from both sides there,
+// the sides run through each other.
 void coarse_models_keep_their_creases()
 {
-  for(const auto& [name, coarse, fine] : {std::tuple<const char*, std::size_t, std::size_t>{"triceratops", 150, 8000}, {"elephant", 300, 20000}})
+  using Case = std::tuple<const char*, std::size_t, std::size_t>;
+  for(const auto& [name, coarse, fine] : {Case{"triceratops", 150, 8000}, Case{"elephant", 300, 20000}})
   {
     Mesh m = read(name);
     const auto of_itself = IAR::isotropic_remeshing(IAR::Face_count(coarse), m);
@@ -1128,7 +1129,8 @@ void coarse_models_keep_their_creases()
     const auto report = IAR::isotropic_remeshing(IAR::Face_count(fine), with);
     CHECK_MESSAGE(found_features(m, IAR::target_edge_length(faces(m), m, fine)).size() == report.feature_edges, name);
     CHECK_MESSAGE(IAR::isotropic_remeshing(0., smoothed, parameters::number_of_iterations(1)).features == Features::none, name);
-    CHECK_MESSAGE(report.features == Features::outstanding_edges && report.feature_edges > 20, name << ": " << report.feature_edges);
+    CHECK_MESSAGE(report.features == Features::outstanding_edges && report.feature_edges > 20,
+                  name << ": " << report.feature_edges);
     CHECK_MESSAGE(!does_self_intersect(with), name);
     CHECK_MESSAGE(report.number_of_faces_out_of_band < 10, name << ": " << report.number_of_faces_out_of_band);
     const auto rounded = IAR::isotropic_remeshing(IAR::Face_count(fine), without, parameters::sharpness_angle(180));

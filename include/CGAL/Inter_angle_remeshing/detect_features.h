@@ -55,9 +55,9 @@ has grown: there a model was cut, or given a base. If half of the rim of such a 
 30 degrees and more are features, in components of at least five lengths, whatever they meet; but of two rims beside a narrow
 strip only the sharper one.
 
-Where faces are much larger than the edges of a result, a sharp edge between them is a crease, be the model as it may: if edges of
-70 degrees and more make up a twentieth of the length of all edges, and the model is none of noise as above, those are features
-that are twice as long as `scale`, as are the altitudes of both faces over them.
+A coarse model that is no CAD model, as one simplified to some hundred faces, has creases, which short edges must not cut off:
+where edges of 70 degrees and more make up a twentieth of the length of all edges, and the saddles above do not tell noise, those
+of them are features, too, that are at least twice as long as `scale`, as are the altitudes of both faces over them.
 
 Measured: of the edges over 40 degrees of fandisk.off with a noise of 15% of the edge length, 99% are found, and of what is
 found 99.7% is right. Of the some seventy models of \cgal that are not taken for CAD models, four have any feature, with at most

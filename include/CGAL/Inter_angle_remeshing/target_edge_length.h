@@ -69,7 +69,7 @@ Complexity: linear in the number of faces of the range.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-@returns a length in the units of the mesh
+@returns a length in the units of the mesh; 0 where the range has no area
 @throws CGAL::Precondition_exception if a face is not a triangle, a coordinate is not finite, all points are equal, or
         `n` is 0
 */

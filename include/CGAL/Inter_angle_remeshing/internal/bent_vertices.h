@@ -45,10 +45,13 @@ inline std::vector<Remeshing_mesh::Index> bent_vertices_between_long_edges(const
   constexpr double LONG = 4;                 // target lengths
   std::vector<Index> result;
   if (!context.projector.is_input() || !(context.target_length > 0)) return result;
+  const auto target_length_at = [&](Index v) {      // the field is not read yet
+    return context.target_length * (context.sizing.is_uniform() ? 1. : context.sizing.part_at(context.mesh, v, context.locator));
+  };
   for (Index v = 0; v < Index(context.mesh.number_of_vertex_slots()); ++v) {
     if (!context.mesh.is_free(v)) continue;
     const Star_shape star = star_shape(context.mesh, v);
-    if (star.bend > BENT && star.mean_edge_length > LONG * context.length_at(v)) result.push_back(v);
+    if (star.bend > BENT && star.mean_edge_length > LONG * target_length_at(v)) result.push_back(v);
   }
   return result;
 }

@@ -56,8 +56,8 @@ public:
     found = long_chains(found, long_rims(rims, own_length_), own_length_);
     return length_ > own_length_ ? long_chains(found, long_rims(rims, length_), length_) : found;
   }
-  // The same for edges of a target length, which may be another one on every face, `target_length(f)`: where a model that is no CAD
-  // model is coarse for it, with its creases. The result would cut them off from both sides.
+  // The same, and the creases of a model that is no CAD model and coarse for the target length, which may be another one on every
+  // face, `target_length(f)`: the edges of a result would cut them off from both sides.
   template <class Length>
   std::vector<Index> features(const Length& target_length)
   {
@@ -159,6 +159,7 @@ private:
         if (mesh_.opposite(h) > h) function(h);
   }
 
+  // Whether the edge of h is long, and its face high over it, beside edges of the target length.
   bool is_coarse(Index h, double target_length) const
   {
     const double l = std::sqrt(mesh_.squared_edge_length(h)), least = COARSE * target_length;

@@ -82,7 +82,7 @@ void check_length_value(const Length& length)
 inline double length_for_faces(std::size_t n, double area)
 {
   if (n == 0) refuse(REMESHING, "the wanted number of faces is 0");
-  if (!(area > 0)) refuse(REMESHING, std::to_string(n) + " faces are wanted of a range without an area, for which no length makes them");
+  if (!(area > 0)) refuse(REMESHING, std::to_string(n) + " faces are wanted of a range without an area; no length makes them");
   return length_for_face_count(area, n);
 }
 
