@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Point_grid.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/curves.h>
 
 #include <algorithm>
 #include <array>
@@ -113,7 +114,6 @@ private:
   static constexpr std::size_t LEAST_EDGES = 12;       // the ring of fewer turns by 30 degrees at each
   static constexpr double LEAST_STRONG_SHARE = 0.5, LARGEST_BAD_SHARE = 0.25;
   static constexpr double LEAST_NETWORK_SHARE = 0.7, LARGEST_BENT_SHARE = 0.2, LARGEST_MEETING_SHARE = 0.4;
-  static constexpr double BEND_COSINE = 0.7071067811865476;       // 45 degrees
   static constexpr double PARALLEL_DISTANCE = 0.35, PARALLEL_SHARE = 0.25;
   static constexpr double ALONG = 3;                   // so many distances apart along it, parts of a chain count as two
   static constexpr double JUNCTION_RADIUS = 1.5;       // in such distances, within which chains that meet are near each other
@@ -288,7 +288,7 @@ inline bool Feature_graph::bends(Index v) const
 {
   std::vector<Vector3> directions;
   for_each_incident(v, [&](Index e) { directions.push_back(position(other_end(e, v)) - position(v)); });
-  return degree(v) != 2 || directions.size() != 2 || !is_cosine_at_least(directions[0], -1. * directions[1], BEND_COSINE);
+  return degree(v) != 2 || directions.size() != 2 || !is_cosine_at_least(directions[0], -1. * directions[1], CORNER_COSINE);
 }
 
 inline bool Feature_graph::is_fit(const std::vector<Index>& component) const

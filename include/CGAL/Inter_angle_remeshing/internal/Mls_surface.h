@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Reference_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/sector_fit.h>
 
 #include <algorithm>
@@ -207,11 +208,10 @@ inline void Mls_surface::find_features(const std::vector<Index>& creases)
   }
 }
 
-// The tangent at a vertex between two feature edges that turn by less than 45 degrees, the nearer one counting more.
+// The tangent at a vertex between two feature edges where the curve has no corner, the nearer one counting more.
 inline void Mls_surface::find_tangents()
 {
   struct Arms { int count = 0; Vector3 direction[2]; };
-  constexpr double CORNER = 0.7071067811865476;
   std::vector<Arms> arms(surface_->number_of_vertices());
   for (Index f = 0; f < Index(faces_.size()); ++f)
     for (int k = 0; k < 3; ++k) {
@@ -231,7 +231,7 @@ inline void Mls_surface::find_tangents()
   tangents_.assign(surface_->number_of_vertices(), Vector3());
   for (std::size_t v = 0; v < arms.size(); ++v) {
     const Vector3 &in = arms[v].direction[0], &out = arms[v].direction[1];
-    if (arms[v].count != 2 || !is_cosine_at_least(out, -1. * in, CORNER)) continue;
+    if (arms[v].count != 2 || !is_cosine_at_least(out, -1. * in, CORNER_COSINE)) continue;
     const Vector3 t = (1 / squared_length(out)) * out - (1 / squared_length(in)) * in;
     tangents_[v] = (1 / length(t)) * t;
   }

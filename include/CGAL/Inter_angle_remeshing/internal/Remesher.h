@@ -164,7 +164,7 @@ private:
     wanted_faces_ = schedule_.wanted_faces;
     last_iteration_ = schedule_.iterations;
     operations_in_order_ = steerings_ = 0;
-    is_refined_ = is_fitted_ = is_stirred_up_ = false;
+    is_refined_ = is_fitted_ = is_stirred_up_ = is_only_split_ = has_poor_spots_ = false;
     stages_ = levels_;
   }
 

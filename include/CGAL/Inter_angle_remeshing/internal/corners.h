@@ -18,9 +18,6 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// A chain of border or feature edges that turns by this angle or more has a corner there. (Cosine of 45 degrees.)
-constexpr double CORNER_COSINE = 0.7071067811865476;
-
 // No search along a curve looks at more vertices, whatever its reach.
 constexpr int MAXIMUM_CURVE_STEPS = 1000;
 

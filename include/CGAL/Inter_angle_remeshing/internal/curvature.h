@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Mls_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/Reference_surface.h>
+#include <CGAL/Inter_angle_remeshing/internal/curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/sector_fit.h>
 
 #include <CGAL/number_type_config.h>
@@ -94,8 +95,6 @@ private:
   // A round of averages over a face and those beside it adds about this many squared edge lengths to the square of the radius.
   static constexpr double SPREAD = 0.5;
   static constexpr int LEAST_ROUNDS = 8, MOST_ROUNDS = 64, CURVE_ROUNDS = 4;
-  // Curves that turn by 45 degrees and more have a corner there.
-  static constexpr double CORNER_COSINE = 0.7071067811865476;
 
   Bilinear_form form_of_face(Index f) const;
   void add_curves(std::vector<double>& result) const;

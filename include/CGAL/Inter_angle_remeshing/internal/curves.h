@@ -13,6 +13,9 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
+// A curve that turns by this angle or more has a corner there. (Cosine of 45 degrees.)
+constexpr double CORNER_COSINE = 0.7071067811865476;
+
 // Calls `function(h)` for the half-edges, a border side perhaps, that leave v on curve edges.
 template <class Function>
 void for_each_curve_halfedge(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, const Function& function)
