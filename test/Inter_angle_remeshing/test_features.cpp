@@ -339,6 +339,29 @@ void the_roughest_noise_is_no_feature()
   }
 }
 
+// Every vertex of a noisy mesh is the tip of a spike, which a clean one has few of, and those stay. Were the noise's kept, faces would
+// be poor and cross each other.
+void the_tips_of_noise_do_not_stay()
+{
+  for(const char* name : {"elephant", "hand", "homer"})
+  {
+    const Mesh noisy = with_noise(read(name), .25);
+    const double length = mean_edge_length(noisy);
+    Mesh ours = noisy, theirs = noisy;
+    const auto report = IAR::isotropic_remeshing(length, ours);
+    PMP::isotropic_remeshing(faces(theirs), length, theirs, parameters::number_of_iterations(10));
+    CHECK(does_self_intersect(noisy));
+    CHECK_MESSAGE(!does_self_intersect(ours), name);
+    CHECK_MESSAGE(200 * report.number_of_faces_out_of_band <= report.output_faces,
+                  name << ": " << report.number_of_faces_out_of_band);
+    CHECK_MESSAGE(report.angles_after.average > IAR::inter_angle_statistics(theirs).average,
+                  name << ": " << report.angles_after.average);
+    CHECK_MESSAGE(IAR::surface_distance(noisy, ours).mean() < IAR::surface_distance(noisy, theirs).mean(), name);
+    if(meshes::is_small_run())
+      break;
+  }
+}
+
 // As sharp everywhere as the roughest noise, and with as many saddles, but a CAD model.
 void knurled_plates_keep_their_pyramids()
 {
@@ -853,6 +876,7 @@ void grading_mends_jagged_borders()
 {
   IAR::Recipe recipe;
   recipe.grading = 0;
+  std::size_t out_with = 0, out_without = 0;
   for(const auto& [name, factor] : std::vector<std::pair<std::string, double>>{
         {"elephant-with-holes", 2}, {"lion", 4}, {"mech-holes-shark", 4}})
   {
@@ -862,11 +886,14 @@ void grading_mends_jagged_borders()
     const double length = factor * mean_edge_length(graded);
     const auto with = IAR::isotropic_remeshing(length, graded);
     const auto without = IAR::isotropic_remeshing(faces(uniform), length, uniform, IAR::recipe(recipe));
-    CHECK_MESSAGE(3 * with.number_of_faces_out_of_band < without.number_of_faces_out_of_band,
+    CHECK_MESSAGE(2 * with.number_of_faces_out_of_band < without.number_of_faces_out_of_band,
                   name << ": " << with.number_of_faces_out_of_band << ", " << without.number_of_faces_out_of_band);
     CHECK_MESSAGE(with.angles_after.average > without.angles_after.average + 2,
                   name << ": " << with.angles_after.average << ", " << without.angles_after.average);
+    out_with += with.number_of_faces_out_of_band;
+    out_without += without.number_of_faces_out_of_band;
   }
+  CHECK_MESSAGE(3 * out_with < out_without, out_with << ", " << out_without);
   // Not where the edges that are short are protected: they say nothing about details.
   Mesh square = meshes::to_mesh<Mesh>(meshes::square(24)), plain = square;
   const auto protect = parameters::protect_constraints(true);
@@ -1015,7 +1042,8 @@ void the_energy_of_angles_has_its_gradient()
       });
       CHECK(std::abs(star.value(p).energy - energy) < 1e-12 && std::abs(star.value(p).largest_cosine - largest) < 1e-12);
       CHECK(holds == (energy == 0));
-      const internal::Vector3 gradient = star.gradient(p);
+      star.value(p);
+      const internal::Vector3 gradient = star.gradient();
       const double d = 1e-6;
       const auto quotient = [&](const internal::Vector3& u) {
         return (star.value(p + d * u).energy - star.value(p - d * u).energy) / (2 * d);
@@ -1134,7 +1162,7 @@ void coarse_models_keep_their_creases()
     CHECK_MESSAGE(!does_self_intersect(with), name);
     CHECK_MESSAGE(report.number_of_faces_out_of_band < 10, name << ": " << report.number_of_faces_out_of_band);
     const auto rounded = IAR::isotropic_remeshing(IAR::Face_count(fine), without, parameters::sharpness_angle(180));
-    CHECK_MESSAGE(IAR::surface_distance(m, with).mean() < .8 * IAR::surface_distance(m, without).mean(), name);
+    CHECK_MESSAGE(IAR::surface_distance(m, with).mean() < .9 * IAR::surface_distance(m, without).mean(), name);
     CHECK_MESSAGE(5 * report.number_of_faces_out_of_band < rounded.number_of_faces_out_of_band,
                   name << ": " << report.number_of_faces_out_of_band << ", without " << rounded.number_of_faces_out_of_band);
     CHECK_MESSAGE(rounded.are_crossing_faces_known, name);     // as faces are out of their bands
@@ -1160,6 +1188,7 @@ int main()
   needles_of_boolean_operations_are_removed();
   noise_hides_no_edge_and_makes_none();
   the_roughest_noise_is_no_feature();
+  the_tips_of_noise_do_not_stay();
   knurled_plates_keep_their_pyramids();
   a_range_and_other_types_will_do();
   cad_models_keep_their_features();

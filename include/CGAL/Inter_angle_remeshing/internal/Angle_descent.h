@@ -107,15 +107,18 @@ private:
     const Vector3 normal = star_.normal(p);
     const double l = squared_length(normal);
     if (!(l > 0)) return false;
-    Vector3 g = star_.gradient(p);
+    Vector3 g = star_.gradient();
     g = g - (dot(g, normal) / l) * normal;
     const double slope = internal::length(g);
     if (!(slope > 0)) return false;
-    const Vector3 offset = offset_of(v, normal, l);
+    Index nearest = mesh_.hint(v);
+    const Vector3 offset = offset_of(p, nearest);
     double step = (std::min)(LONGEST_STEP * length_at(v), STEP_FACTOR * before.energy / slope);
     for (int trial = 0; trial < TRIALS; ++trial, step *= BACKTRACK) {
-      Index hint = mesh_.hint(v);
-      const Vector3 q = context_.projector(p - (step / slope) * g, hint) + offset;
+      const Vector3 r = p - (step / slope) * g;
+      if (!(star_.value(r).energy < before.energy)) continue;      // the projection hardly changes that
+      Index hint = nearest;
+      const Vector3 q = context_.projector(r, hint) + offset;
       if (!context_.projector.is_compatible(hint, normal) || !is_better(before, before.energy, p, q) || !keeps_places(v, p, q))
         continue;
       mesh_.hint(v) = hint;
@@ -136,13 +139,11 @@ private:
     });
   }
 
-  // What a fit has put v off the surface, along the normal of its star.
-  Vector3 offset_of(Index v, const Vector3& normal, double squared_length_of_normal) const
+  // What a fit has put p off the surface: all of it, so that a step of no length leads to p again.
+  Vector3 offset_of(const Vector3& p, Index& hint) const
   {
     if (!context_.projector.has_faces() || context_.recipe.fits == 0) return {};
-    Index hint = mesh_.hint(v);
-    const Vector3 d = mesh_.position(v) - context_.projector(mesh_.position(v), hint);
-    return (dot(d, normal) / squared_length_of_normal) * normal;
+    return p - context_.projector(p, hint);
   }
 
   // The same along a curve. The energy falls to one of the two sides.
@@ -157,7 +158,7 @@ private:
     for_each_curve_halfedge(mesh_, v, [&](Index h) { if (n < 2) ends[n++] = mesh_.curve_end(h); });
     const Index curve = mesh_.curve_of(ends[0]);
     const double t = mesh_.arc_length(ends[0]);
-    const Vector3 g = star_.gradient(p);
+    const Vector3 g = star_.gradient();
     double low = mesh_.arc_length(ends[0] ^ 1) - t, high = mesh_.arc_length(ends[1] ^ 1) - mesh_.arc_length(ends[1]);
     if (low > high) std::swap(low, high);
     const double d = DIFFERENCE * length_at(v);

@@ -49,7 +49,7 @@ class Remesher
 public:
   Remesher(Remeshing_context& context, const Schedule& schedule)
     : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule),
-      relaxation_(context.recipe, context.curves, context.grading),
+      relaxation_(context.recipe, context.curves, context.grading, context.noise),
       last_iteration_(schedule.iterations), wanted_faces_(schedule.wanted_faces)
   {}
 

@@ -42,6 +42,7 @@ struct Remeshing_context
   const Sizing& sizing;
   const Input_locator* locator;        // null where nobody asks for places
   double grading_rate;                 // at curves; 0: their short edges do not lower the target length
+  double noise;                        // of the input, beside the target length; 0: it is clean
   Grading grading;
   Kept_places kept_places;             // while faces and angles are mended
 

@@ -109,11 +109,10 @@ public:
     return result;
   }
 
-  // The gradient there. A corner cosine is a product of unit vectors, two spokes or a spoke and a link edge; of these only the
-  // spokes s = (x - p) / |x - p| turn, by ds = -(I - s sᵀ) dp / |x - p|.
-  Vector3 gradient(const Vector3& p) const
+  // The gradient where the value was asked for last. A corner cosine is a product of unit vectors, two spokes or a spoke and a
+  // link edge; of these only the spokes s = (x - p) / |x - p| turn, by ds = -(I - s sᵀ) dp / |x - p|.
+  Vector3 gradient() const
   {
-    set_spokes(p);
     std::fill(slope_.begin(), slope_.end(), Vector3());
     for (std::size_t k = 0; k < link_.size(); ++k) {
       const std::array<double, 3> c = corners(k);

@@ -42,6 +42,13 @@ public:
   }
 
   bool is_cad() const { return is_cad_; }
+  // The part of the vertices that are saddles of sharp edges, where two and more ridges meet two and more grooves, beyond that of
+  // clean models: noise makes them everywhere, parts and what has grown have few.
+  double saddle_excess() const
+  {
+    const double share = double(saddles_) / double(mesh_.number_of_vertex_slots());
+    return saddles_ < LEAST_NOISY_SADDLES ? 0. : (std::max)(0., share - CLEAN_SHARE);
+  }
   // One half-edge of each feature.
   std::vector<Index> features()
   {
@@ -89,9 +96,12 @@ private:
   static constexpr std::size_t LONG_RING = 9;
   // The edges in between may be so many times as long as sharp ones that form a network.
   static constexpr double MOST_MILD = 3.5;
-  // Edges are those of noise where so many of their vertices are saddles, and this part of all.
+  // Sharp edges are those of noise where so many of their vertices are saddles, and this part of all.
   static constexpr std::size_t LEAST_SADDLES = 50;
   static constexpr double NOISE_SHARE = 0.1;
+  // Meshes with fewer of them, or with this part of their vertices, may be clean and coarse.
+  static constexpr std::size_t LEAST_NOISY_SADDLES = 100;
+  static constexpr double CLEAN_SHARE = 0.035;
   static constexpr double NARROW = 0.05;                // strip, in lengths
   // Edges of at least this angle are creases where they make up this part of the length of all edges, and the model is coarse there
   // where they, and the altitudes of the faces over them, have so many target lengths.
@@ -206,21 +216,26 @@ private:
     });
     const std::vector<Index> candidates = sharp_edges(CAD_ANGLE);
     const double of_long = length_in_long_components(candidates);
+    count_saddles(candidates);
     const auto are_few_mild = [&](double length) { return of_mild - of_facets < 0.2 * length; };
     const auto is_cad_with = [&](double length) {
       return of_mild < 0.5 * length || (of_mild < 1.1 * length && 2 * flat_edges > edges) || are_few_mild(length);
     };
     is_cad_ = ((is_cad_with(of_sharp) && is_cad_with(of_long)) || (of_mild < MOST_MILD * of_long && form_network(candidates))) &&
-              ((are_few_mild(of_sharp) && are_few_mild(of_long)) || !are_of_noise(candidates));
+              ((are_few_mild(of_sharp) && are_few_mild(of_long)) || !are_of_noise());
     if (is_cad_) return;
     creases_ = sharp_edges(CREASE_ANGLE);
     for (const Index h : creases_) of_creases += std::sqrt(mesh_.squared_edge_length(h));
-    if (of_creases < CREASE_SHARE * of_all || are_of_noise(candidates)) creases_.clear();
+    if (of_creases < CREASE_SHARE * of_all || are_of_noise()) creases_.clear();
   }
 
-  // Whether many of the vertices between these edges are saddles, where two and more ridges meet two and more grooves: noise makes
-  // them everywhere, and a part has few such corners.
-  bool are_of_noise(const std::vector<Index>& edges) const
+  // Whether many of the vertices of sharp edges are saddles.
+  bool are_of_noise() const
+  {
+    return saddles_ >= LEAST_SADDLES && double(saddles_) > NOISE_SHARE * double(sharp_vertices_);
+  }
+
+  void count_saddles(const std::vector<Index>& edges)
   {
     struct Edges { int ridges = 0, grooves = 0; };
     std::vector<Edges> edges_at(mesh_.number_of_vertex_slots());
@@ -229,12 +244,10 @@ private:
       const bool is_ridge = dot(normal_[h >> 2], mesh_.position(mesh_.apex(mesh_.opposite(h))) - mesh_.position(v)) < 0;
       for (const Index end : {v, mesh_.target(h)}) ++(is_ridge ? edges_at[end].ridges : edges_at[end].grooves);
     }
-    std::size_t vertices = 0, saddles = 0;
     for (const Edges& e : edges_at) {
-      vertices += e.ridges + e.grooves > 0;
-      saddles += e.ridges > 1 && e.grooves > 1;
+      sharp_vertices_ += e.ridges + e.grooves > 0;
+      saddles_ += e.ridges > 1 && e.grooves > 1;
     }
-    return saddles >= LEAST_SADDLES && double(saddles) > NOISE_SHARE * double(vertices);
   }
 
   bool form_network(const std::vector<Index>& edges) const
@@ -298,6 +311,7 @@ private:
   const Remeshing_mesh& mesh_;
   double length_, own_length_;
   bool is_cad_;
+  std::size_t sharp_vertices_ = 0, saddles_ = 0;       // vertices of edges of CAD_ANGLE, and those of them that are saddles
   std::vector<Vector3> normal_;        // unit, by face; zero where the face has none
   std::vector<float> area_;            // by face, twice
   std::vector<Index> sharp_edges_;     // of LEAST_ANGLE and more, before the filter

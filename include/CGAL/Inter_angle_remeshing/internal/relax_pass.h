@@ -31,6 +31,8 @@ namespace internal {
 // How flat a star is: ρ = |Σ c| / Σ |c| over the cross products c of its faces, 1 in a plane. Under the first bound
 // a vertex, the tip of a spike, stays; from the second on it takes the whole step.
 constexpr double RHO_FIXED = 0.6, RHO_FREE = 0.85;
+// With more noise than this, see noise(), the bounds fall, down to so small a part: the spikes are those of the noise.
+constexpr double LITTLE_NOISE = 0.02, LEAST_BOUND = 0.2;
 // Stars less flat than this take guarded steps.
 constexpr double RHO_GUARDED = 0.9;
 // Sweeps for which normals hold; dampings hold for a pass.
@@ -65,8 +67,9 @@ class Relaxation
 public:
   using Index = Sweep_data::Index;
 
-  Relaxation(const Recipe& recipe, const Input_curves& curves, const Grading& grading)
-    : recipe_(recipe), curves_(curves), grading_(grading)
+  Relaxation(const Recipe& recipe, const Input_curves& curves, const Grading& grading, double noise)
+    : recipe_(recipe), curves_(curves), grading_(grading),
+      bound_(noise > LITTLE_NOISE ? (std::max)(LEAST_BOUND, LITTLE_NOISE / noise) : 1.)
   {}
 
   // Returns the number of vertices that may have moved: all of them, or those of a region. Slides leave no chord further than
@@ -96,9 +99,9 @@ private:
   Vector3 to_uniform_centre(std::size_t i) const;
   Vector3 to_weighted_centre(std::size_t i) const;
 
-  static double damping(double rho)
+  double damping(double rho) const
   {
-    return (std::min)(1., (std::max)(0., (rho - RHO_FIXED) / (RHO_FREE - RHO_FIXED)));
+    return (std::min)(1., (std::max)(0., (rho - bound_ * RHO_FIXED) / (bound_ * (RHO_FREE - RHO_FIXED))));
   }
 
   Vector3 refresh(std::size_t i);
@@ -118,6 +121,7 @@ private:
   const Recipe& recipe_;
   const Input_curves& curves_;
   const Grading& grading_;
+  const double bound_;                // of ρ, as part of that of a clean mesh
   Remeshing_mesh* mesh_ = nullptr;    // of the run: keeps the places on curves
   double curve_tolerance_ = 0;
   Sweep_data data_;

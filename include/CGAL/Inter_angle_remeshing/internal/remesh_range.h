@@ -109,11 +109,12 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
   using Functor = std::decay_t<decltype(referred(parameters.projection_functor))>;
   constexpr bool keeps_surface = std::is_same<Functor, No_map>::value || Has_reference_surface<Functor>::value;
   using Features = Remeshing_report::Features;
-  Input_kind kind{false, false, Features::none, count_features(mesh)};
+  Input_kind kind{false, false, Features::none, count_features(mesh), 0};
   if (kind.feature_edges > 0) kind.features = Features::marked;
   if (!keeps_surface || parameters.recipe.surface == Recipe::Surface::paper) return kind;
   Feature_detector detector(mesh, (std::max)(target.length, mean_length));
   kind.is_cad = detector.is_cad();
+  kind.saddle_excess = detector.saddle_excess();
   kind.has_found_features = parameters.constraint_settings.finds_features;
   if (!kind.has_found_features) return kind;
   const std::vector<Remeshing_mesh::Index> found = detector.features([&](Remeshing_mesh::Index f) {
@@ -122,6 +123,12 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
   if (!found.empty()) kind.features = kind.is_cad ? Features::all_sharp_edges : Features::outstanding_edges;
   kind.feature_edges = count_features(mesh);
   return kind;
+}
+
+// How rough noise makes the stars of a mesh with edges of the target length: the shorter these are beside the input's, the rougher.
+inline double noise(const Input_kind& kind, double mean_length, double target)
+{
+  return target > 0 ? kind.saddle_excess * (mean_length / target) * (mean_length / target) : 0.;
 }
 
 // Whether curves hold details that the target length must fall to. One much under the length of the input's edges finds none.
@@ -172,7 +179,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
     Remeshing_context context{mesh, parameters.recipe, curves, rule(parameters.split_policy), rule(parameters.collapse_policy),
                               rule(parameters.flip_policy), projector, parameters.visitor, parameters.may_collapse_constraints,
                               target, parameters.may_subdivide, wanted.sizing, locator ? &*locator : nullptr,
-                              has_small_details ? parameters.recipe.grading : 0., Grading(), Kept_places()};
+                              has_small_details ? parameters.recipe.grading : 0., noise(kind, mean_length, target), Grading(), Kept_places()};
     const Run_result result = run_passes<Concurrency>(context, parameters.schedule);
     is_to_be_written = result.has_target_length;
     if (is_to_be_written && attributes.are_carried()) attributes.read(mesh, *locator);
