@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Models whose vertices are moved at random, by a normal distribution with the same standard deviation in each coordinate, in mean
-// edge lengths: the triangles, the crossing pairs of faces, and the distances from the noisy input, beside PMP. A table in Markdown.
+// Models whose vertices are moved at random, by a normal distribution with the same standard deviation in each coordinate, in
+// mean edge lengths: the triangles, the crossing pairs of faces, and the distances from the noisy input, beside PMP. A table in
+// Markdown.
 
 #include "crossing_pairs.h"
 #include "meshes.h"

@@ -339,8 +339,8 @@ void the_roughest_noise_is_no_feature()
   }
 }
 
-// Every vertex of a noisy mesh is the tip of a spike, which a clean one has few of, and those stay. Were the noise's kept, faces would
-// be poor and cross each other.
+// Every vertex of a noisy mesh is the tip of a spike, which a clean one has few of, and those stay. Were the noise's kept, faces
+// would be poor and cross each other.
 void the_tips_of_noise_do_not_stay()
 {
   for(const char* name : {"elephant", "hand", "homer"})
@@ -1140,8 +1140,8 @@ void folded_slivers_are_no_features()
   CHECK_MESSAGE(angles.minimum_angle > 30 && angles.maximum_angle < 110, angles.minimum_angle << ".." << angles.maximum_angle);
 }
 
-// A coarse organic model has creases. They are no features at its own length, but where it is refined: cut off from both sides there,
-// the sides run through each other.
+// A coarse organic model has creases. They are no features at its own length, but where it is refined: cut off from both sides
+// there, the sides run through each other.
 void coarse_models_keep_their_creases()
 {
   using Case = std::tuple<const char*, std::size_t, std::size_t>;

@@ -28,7 +28,7 @@ struct Input_kind
   bool has_found_features;       // its sharp edges were found by themselves, and are constrained
   Remeshing_report::Features features;
   std::size_t feature_edges;
-  double saddle_excess;          // of noise, see Feature_detector
+  double saddle_excess;          // how noisy it is, see Feature_detector::saddle_excess()
 };
 
 // The surface's faces by the input faces that they are.

@@ -235,6 +235,7 @@ private:
     return saddles_ >= LEAST_SADDLES && double(saddles_) > NOISE_SHARE * double(sharp_vertices_);
   }
 
+  // Among the vertices of these edges.
   void count_saddles(const std::vector<Index>& edges)
   {
     struct Edges { int ridges = 0, grooves = 0; };

@@ -179,7 +179,8 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
     Remeshing_context context{mesh, parameters.recipe, curves, rule(parameters.split_policy), rule(parameters.collapse_policy),
                               rule(parameters.flip_policy), projector, parameters.visitor, parameters.may_collapse_constraints,
                               target, parameters.may_subdivide, wanted.sizing, locator ? &*locator : nullptr,
-                              has_small_details ? parameters.recipe.grading : 0., noise(kind, mean_length, target), Grading(), Kept_places()};
+                              has_small_details ? parameters.recipe.grading : 0., noise(kind, mean_length, target), Grading(),
+                              Kept_places()};
     const Run_result result = run_passes<Concurrency>(context, parameters.schedule);
     is_to_be_written = result.has_target_length;
     if (is_to_be_written && attributes.are_carried()) attributes.read(mesh, *locator);
