@@ -67,11 +67,11 @@ public:
   {
     read_star(v);
     const Vector3 p = mesh_.position(v);
-    const double most = star_.value(p).energy + slack;
+    const double most = star_.value(p) + slack;
     double step = 1;
     for (int trial = 0; trial < trials; ++trial, step *= 0.5) {
       const Vector3 q = p + step * way;
-      if (!star_.keeps_orientation(p, q) || star_.value(q).energy > most) continue;
+      if (!star_.keeps_orientation(p, q) || star_.value(q) > most) continue;
       mesh_.position(v) = q;
       return true;
     }
@@ -90,20 +90,28 @@ private:
     star_.read(mesh_, v, [&](Index u, Index w) -> const Angle_band& { return bands_.of(mesh_, v, u, w); });
   }
 
-  // Whether the star is better with v at q, having the energy `enough` at most, and neither folds nor grows thin.
-  bool is_better(const Star_energy::Value& before, double enough, const Vector3& p, const Vector3& q) const
+  // Whether the star, with v at q instead of p, has the energy `enough` at most, and neither folds nor grows thin.
+  bool is_better(double enough, const Vector3& p, const Vector3& q)
   {
-    const Star_energy::Value after = star_.value(q);
-    return after.energy < enough && star_.keeps_orientation(p, q) &&
-           !makes_thin_angle(1 - before.largest_cosine * before.largest_cosine, 1 - after.largest_cosine * after.largest_cosine);
+    return star_.value(q) < enough && star_.keeps_orientation(p, q) && !grows_thin(p);
   }
+
+  // Whether v has made an angle thin on its way from p to where the value was asked for last.
+  bool grows_thin(const Vector3& p)
+  {
+    const double after = squared_sine(star_.largest_cosine());
+    if (after >= THIN_SQUARED_SINE) return false;
+    star_.value(p);
+    return makes_thin_angle(squared_sine(star_.largest_cosine()), after);
+  }
+  static double squared_sine(double cosine) { return 1 - cosine * cosine; }
 
   bool move(Index v)
   {
     read_star(v);
     const Vector3 p = mesh_.position(v);
-    const Star_energy::Value before = star_.value(p);
-    if (!(before.energy > 0)) return false;
+    const double energy = star_.value(p);
+    if (!(energy > 0)) return false;
     const Vector3 normal = star_.normal(p);
     const double l = squared_length(normal);
     if (!(l > 0)) return false;
@@ -113,13 +121,13 @@ private:
     if (!(slope > 0)) return false;
     Index nearest = mesh_.hint(v);
     const Vector3 offset = offset_of(p, nearest);
-    double step = (std::min)(LONGEST_STEP * length_at(v), STEP_FACTOR * before.energy / slope);
+    double step = (std::min)(LONGEST_STEP * length_at(v), STEP_FACTOR * energy / slope);
     for (int trial = 0; trial < TRIALS; ++trial, step *= BACKTRACK) {
       const Vector3 r = p - (step / slope) * g;
-      if (!(star_.value(r).energy < before.energy)) continue;      // the projection hardly changes that
+      if (!(star_.value(r) < energy)) continue;      // the projection hardly changes that
       Index hint = nearest;
       const Vector3 q = context_.projector(r, hint) + offset;
-      if (!context_.projector.is_compatible(hint, normal) || !is_better(before, before.energy, p, q) || !keeps_places(v, p, q))
+      if (!context_.projector.is_compatible(hint, normal) || !is_better(energy, p, q) || !keeps_places(v, p, q))
         continue;
       mesh_.hint(v) = hint;
       mesh_.position(v) = q;
@@ -151,8 +159,8 @@ private:
   {
     read_star(v);
     const Vector3 p = mesh_.position(v);
-    const Star_energy::Value before = star_.value(p);
-    if (!(before.energy > 0)) return false;
+    const double energy = star_.value(p);
+    if (!(energy > 0)) return false;
     std::array<Index, 2> ends{};
     std::size_t n = 0;
     for_each_curve_halfedge(mesh_, v, [&](Index h) { if (n < 2) ends[n++] = mesh_.curve_end(h); });
@@ -164,12 +172,12 @@ private:
     const double d = DIFFERENCE * length_at(v);
     const double slope = dot(g, context_.curves.point(curve, t + d) - context_.curves.point(curve, t - d)) / (2 * d);
     if (!(slope != 0)) return false;
-    double step = (std::min)(LONGEST_STEP * length_at(v), STEP_FACTOR * before.energy / std::abs(slope));
+    double step = (std::min)(LONGEST_STEP * length_at(v), STEP_FACTOR * energy / std::abs(slope));
     for (int trial = 0; trial < TRIALS; ++trial, step *= BACKTRACK) {
       const double shift = slope > 0 ? -step : step;
       if (!(shift > low / 2 && shift < high / 2)) continue;
       const Vector3 q = context_.curves.point(curve, t + shift);
-      if (!is_better(before, ENOUGH * before.energy, p, q) || leaves_curve(v, ends, shift, q)) continue;
+      if (!is_better(ENOUGH * energy, p, q) || leaves_curve(v, ends, shift, q)) continue;
       for (const Index end : ends) mesh_.arc_length(end) += shift;
       mesh_.position(v) = q;
       return true;

@@ -35,14 +35,15 @@ public:
   double lower() const { return lower_; }
   double upper() const { return upper_; }
 
+  // By how much a corner cosine is out of the band, with its sign: positive where the angle is too small.
+  double excess(double corner_cosine) const
+  {
+    return corner_cosine - (std::min)((std::max)(corner_cosine, upper_cosine_), lower_cosine_);
+  }
   double energy(double corner_cosine) const
   {
-    const double below = (std::max)(0., corner_cosine - lower_cosine_), above = (std::max)(0., upper_cosine_ - corner_cosine);
-    return below * below + above * above;
-  }
-  double derivative(double corner_cosine) const
-  {
-    return 2 * ((std::max)(0., corner_cosine - lower_cosine_) - (std::max)(0., upper_cosine_ - corner_cosine));
+    const double e = excess(corner_cosine);
+    return e * e;
   }
 
   // Whether the angles of the triangle abc lie within the band; by the law of cosines and without a root.
@@ -68,25 +69,21 @@ class Star_energy
 public:
   using Index = Remeshing_mesh::Index;
 
-  struct Value
-  {
-    double energy;
-    double largest_cosine;     // of the smallest angle
-  };
-
   // Reads the link of v; `band(u, w)` is the band of the face with the link edge uw.
   template <class Band>
   void read(const Remeshing_mesh& mesh, Index v, const Band& band)
   {
     ring_.clear();
     link_.clear();
+    has_length_ = true;
     Index last = -1;
     mesh.for_each_around(v, [&](Index h) {
       const Index u = mesh.target(h), w = mesh.apex(h);
       const Vector3 e = mesh.position(w) - mesh.position(u);
       const double l = length(e);
       ring_.push_back(mesh.position(u));
-      link_.push_back({l > 0 ? (1 / l) * e : Vector3(), &band(u, w)});
+      link_.push_back({l > 0 ? (1 / l) * e : Vector3(), band(u, w)});
+      has_length_ = has_length_ && l > 0;
       last = w;
     });
     is_closed_ = !mesh.is_border_vertex(v);
@@ -96,28 +93,32 @@ public:
     slope_.resize(ring_.size());
   }
 
-  // If v lay at p.
-  Value value(const Vector3& p) const
+  // The energy if v lay at p.
+  double value(const Vector3& p)
   {
     set_spokes(p);
-    Value result{0, -1};
-    for (std::size_t k = 0; k < link_.size(); ++k)
-      for (const double c : corners(k)) {
-        result.energy += link_[k].band->energy(c);
-        result.largest_cosine = (std::max)(result.largest_cosine, c);
-      }
+    double sum = 0;
+    for_each_corner([&](const Angle_band& band, double c) { sum += band.energy(c); });
+    return sum;
+  }
+
+  // The cosine of the smallest angle where the value was asked for last.
+  double largest_cosine() const
+  {
+    double result = -1;
+    for_each_corner([&](const Angle_band&, double c) { result = (std::max)(result, c); });
     return result;
   }
 
   // The gradient where the value was asked for last. A corner cosine is a product of unit vectors, two spokes or a spoke and a
   // link edge; of these only the spokes s = (x - p) / |x - p| turn, by ds = -(I - s sᵀ) dp / |x - p|.
-  Vector3 gradient() const
+  Vector3 gradient()
   {
     std::fill(slope_.begin(), slope_.end(), Vector3());
     for (std::size_t k = 0; k < link_.size(); ++k) {
       const std::array<double, 3> c = corners(k);
-      const Angle_band& band = *link_[k].band;
-      const double at_v = band.derivative(c[0]), at_u = band.derivative(c[1]), at_w = band.derivative(c[2]);
+      const Angle_band& band = link_[k].band;
+      const double at_v = 2 * band.excess(c[0]), at_u = 2 * band.excess(c[1]), at_w = 2 * band.excess(c[2]);
       slope_[k] += at_v * spoke_[k + 1] - at_u * link_[k].direction;
       slope_[k + 1] += at_v * spoke_[k] + at_w * link_[k].direction;
     }
@@ -159,18 +160,21 @@ private:
   struct Link_edge
   {
     Vector3 direction;
-    const Angle_band* band;
+    Angle_band band;
   };
 
-  void set_spokes(const Vector3& p) const
+  void set_spokes(const Vector3& p)
   {
     const std::size_t n = ring_.size() - (is_closed_ && !ring_.empty());
+    double shortest = 1;
     for (std::size_t k = 0; k < n; ++k) {
       const Vector3 x = ring_[k] - p;
       const double l = length(x);
       inverse_length_[k] = l > 0 ? 1 / l : 0;
       spoke_[k] = inverse_length_[k] * x;
+      shortest = (std::min)(shortest, l);
     }
+    has_spokes_ = shortest > 0;
     if (n == ring_.size()) return;
     spoke_[n] = spoke_[0];
     inverse_length_[n] = inverse_length_[0];
@@ -180,16 +184,25 @@ private:
   std::array<double, 3> corners(std::size_t k) const
   {
     const Vector3 &s = spoke_[k], &t = spoke_[k + 1], &e = link_[k].direction;
+    if (has_length_ && has_spokes_) return {dot(s, t), -dot(s, e), dot(t, e)};
     const bool has_s = inverse_length_[k] > 0, has_t = inverse_length_[k + 1] > 0, has_e = e != Vector3();
     return {has_s && has_t ? dot(s, t) : 1, has_s && has_e ? -dot(s, e) : 1, has_t && has_e ? dot(t, e) : 1};
   }
 
+  template <class Function>
+  void for_each_corner(const Function& function) const
+  {
+    for (std::size_t k = 0; k < link_.size(); ++k)
+      for (const double c : corners(k)) function(link_[k].band, c);
+  }
+
   bool is_closed_ = true;
-  std::vector<Vector3> ring_;               // of the ends of link edges
-  std::vector<Link_edge> link_;             // from ring vertex k to k + 1
-  mutable std::vector<Vector3> spoke_;      // unit
-  mutable std::vector<double> inverse_length_;
-  mutable std::vector<Vector3> slope_;      // of the energy, by spoke
+  bool has_length_ = true, has_spokes_ = true;     // all link edges have one; all spokes do
+  std::vector<Vector3> ring_;                      // of the ends of link edges
+  std::vector<Link_edge> link_;                    // from ring vertex k to k + 1
+  std::vector<Vector3> spoke_;                     // unit
+  std::vector<double> inverse_length_;
+  std::vector<Vector3> slope_;                     // of the energy, by spoke
 };
 
 } // namespace internal

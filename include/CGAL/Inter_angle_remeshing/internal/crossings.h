@@ -143,7 +143,8 @@ inline std::vector<Remeshing_mesh::Index> faces_near(const Remeshing_mesh& mesh,
   return result;
 }
 
-// Calls `function(face, other)` for every one of `faces` that crosses one of `others`, until it returns false.
+// Calls `function(face, other)` for every one of `faces`, which are sorted, that crosses one of `others`, until it returns false. Two
+// that are both among `faces` are one pair.
 template <class Function>
 void for_each_crossing(const Remeshing_mesh& mesh, const std::vector<Remeshing_mesh::Index>& faces,
                        const std::vector<Remeshing_mesh::Index>& others, const Function& function)
@@ -158,8 +159,10 @@ void for_each_crossing(const Remeshing_mesh& mesh, const std::vector<Remeshing_m
   for (const Index g : others) {
     const CGAL::Bbox_3 b = bounding_box(mesh, g);
     if (!CGAL::do_overlap(b, all)) continue;
-    for (std::size_t i = 0; i < faces.size(); ++i)
-      if (g != faces[i] && CGAL::do_overlap(b, boxes[i]) && cross_each_other(mesh, g, faces[i]) && !function(faces[i], g)) return;
+    const auto found = std::lower_bound(faces.begin(), faces.end(), g);
+    const std::size_t first = found != faces.end() && *found == g ? std::size_t(found - faces.begin()) + 1 : 0;
+    for (std::size_t i = first; i < faces.size(); ++i)
+      if (CGAL::do_overlap(b, boxes[i]) && cross_each_other(mesh, g, faces[i]) && !function(faces[i], g)) return;
   }
 }
 

@@ -64,7 +64,7 @@ class Repairer
   static constexpr double TOUCH = 0.05;      // degrees that every bad face counts more
   // What two faces that cross each other count, and what the length of the segment in which they do, in target lengths. To part
   // them edges may be split that are much shorter.
-  static constexpr double CROSSING = 100, CROSSING_LENGTH = 3000, SPLIT_AT_CROSSING = 0.1;
+  static constexpr double CROSSING = 200, CROSSING_LENGTH = 6000, SPLIT_AT_CROSSING = 0.1;
   // To unfold a face the mesh may withdraw so many times as far.
   static constexpr double UNFOLDING = 2;
   // Where the surface crosses itself within so many target lengths, or edges of its own, faces may cross. Places that are this near
@@ -79,6 +79,11 @@ class Repairer
   {
     Kind kind = Kind::none;
     Index halfedge = -1;
+  };
+  struct Crossing
+  {
+    Index face, other;
+    double score;
   };
   struct Bad_faces
   {
@@ -265,16 +270,33 @@ private:
     return CROSSING + CROSSING_LENGTH * crossing_length(mesh_, f, g) / context_.length_at(mesh_.face_record(f).vertex[0]);
   }
 
-  double score(const std::vector<Index>& faces)
+  // How bad these faces are.
+  double score(const std::vector<Index>& faces) const
   {
     double sum = 0;
-    if (fault_ == Fault::crossing) sum = crossing_score(faces);
+    if (fault_ == Fault::crossing) for_each_crossing_near(faces, [&](Index f, Index g) { sum += score_of_crossing(f, g); });
     for (const Index f : faces)
       if (mesh_.is_face(f)) sum += score_of_violation(violation(f));
     return sum;
   }
 
-  double crossing_score(std::vector<Index> faces) const
+  // How bad they were before anything was tried for the face at hand.
+  double score_before(const std::vector<Index>& faces)
+  {
+    const auto is_one = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), f); };
+    double sum = 0;
+    for (const Crossing& c : crossings_before_)
+      if (is_one(c.face) || is_one(c.other)) sum += c.score;
+    for (const Index f : faces) {
+      if (is_scored_.visit(std::size_t(f))) score_before_[f] = score_of_violation(violation(f));
+      sum += score_before_[f];
+    }
+    return sum;
+  }
+
+  // Calls `function(face, other)` for the pairs of faces that cross each other, of which one is among these.
+  template <class Function>
+  void for_each_crossing_near(std::vector<Index> faces, const Function& function) const
   {
     const auto is_dead = [&](Index f) { return !mesh_.is_face(f); };
     faces.erase(std::remove_if(faces.begin(), faces.end(), is_dead), faces.end());
@@ -283,12 +305,24 @@ private:
     std::sort(others.begin(), others.end());
     others.erase(std::unique(others.begin(), others.end()), others.end());
     others.erase(std::remove_if(others.begin(), others.end(), is_dead), others.end());
-    double sum = 0;
     for_each_crossing(mesh_, faces, others, [&](Index f, Index g) {
-      sum += score_of_crossing(f, g);
+      function(f, g);
       return true;
     });
-    return sum;
+  }
+
+  // Nothing has been tried for face f yet.
+  void start(Index f)
+  {
+    is_scored_.start(mesh_.number_of_face_slots());
+    score_before_.resize((std::max)(score_before_.size(), mesh_.number_of_face_slots()));
+    crossings_before_.clear();
+    if (fault_ != Fault::crossing) return;
+    const auto& corner = mesh_.face_record(f).vertex;
+    const std::vector<Index> within_reach = faces_around(mesh_, ball(mesh_, {corner[0], corner[1], corner[2]}, REACH, marks_));
+    near_ = faces_near(mesh_, *grid_, within_reach, marks_);
+    for_each_crossing_near(within_reach, [&](Index g, Index other) {
+      crossings_before_.push_back({g, other, score_of_crossing(g, other)}); });
   }
 
   // What may be tried near face f.
@@ -371,7 +405,7 @@ private:
     if (around.size() > LARGEST_REGION) return 0;
     ++trials();
     snapshot_.take(mesh_, around);
-    const double before = score(snapshot_.faces());
+    const double before = score_before(snapshot_.faces());
     const std::vector<Index> moving = ball(mesh_, apply(operation), 1, marks_);
     descent_.sweep(moving, sweeps);
     const std::vector<Index> faces = faces_around(mesh_, moving);
@@ -397,10 +431,7 @@ private:
   // A few sweeps tell which operations are promising, many more which of these is the best.
   Operation best_operation(Index f)
   {
-    if (fault_ == Fault::crossing) {
-      const auto& corner = mesh_.face_record(f).vertex;
-      near_ = faces_near(mesh_, *grid_, faces_around(mesh_, ball(mesh_, {corner[0], corner[1], corner[2]}, REACH, marks_)), marks_);
-    }
+    start(f);
     std::vector<std::pair<double, Operation>> promising;
     for (const Operation& operation : operations(f)) {
       if (trials() > most_trials() || is_in_vain(operation) || !is_allowed(operation)) continue;
@@ -438,6 +469,9 @@ private:
   Mesh_snapshot snapshot_;
   std::optional<Face_grid> grid_;        // for crossings
   std::vector<Index> near_;              // the faces that may cross those around the face at hand
+  std::vector<Crossing> crossings_before_;     // of the faces around the face at hand
+  std::vector<double> score_before_;     // by face; without crossings
+  Visit_marks is_scored_;                // whether that is known
   int round_ = 0;
   bool leaves_bad_faces_ = false;        // after the last run
   Fault fault_ = Fault::angle;           // of the face at hand
