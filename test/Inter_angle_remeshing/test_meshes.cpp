@@ -386,8 +386,8 @@ std::size_t number_of_crossing_faces(const Mesh& m)
   return result.size();
 }
 
-// Chords of thin walls lead through the other side: they are parted. Where the input crosses itself, so does the result, and the
-// report says how many faces do.
+// Chords of thin walls lead through the other side: they are parted. Where the input crosses itself, so does a result that is as fine,
+// and the report says how many faces do.
 void crossing_faces_are_parted()
 {
   IAR::Recipe without_repair;
@@ -428,6 +428,31 @@ void crossing_faces_are_parted()
     const auto report = IAR::isotropic_remeshing((repairs ? .25 : 1) * mean_edge_length(m), m, IAR::recipe(recipe));
     CHECK(!report.are_crossing_faces_known && report.crossing_faces == 0 && (report.band_holds || !repairs));
   }
+}
+
+// Where the input crosses itself in what is small beside the target length, the result need not, and comes no less near to it. With
+// and without the repair 16 and 176 faces crossed others when this was written, 102 with one that let such faces be.
+void small_crossings_of_the_input_are_parted()
+{
+  IAR::Recipe without_repair;
+  without_repair.repair = false;
+  std::size_t crossing = 0, crossing_without = 0;
+  for(const auto& [name, factor] : {std::pair<const char*, double>{"bones", 4}, {"bones", 4.4}, {"camel", 2}, {"mannequin-devil", 4}})
+  {
+    const Mesh& input = mesh_of_cgal(name);
+    if(meshes::is_small_run() && input.number_of_faces() > SMALL)
+      continue;
+    CHECK_MESSAGE(does_self_intersect(input), name);
+    const double length = factor * mean_edge_length(input);
+    Mesh with = input, without = input;
+    const auto report = IAR::isotropic_remeshing(length, with);
+    IAR::isotropic_remeshing(length, without, IAR::recipe(without_repair));
+    CHECK_MESSAGE(report.are_crossing_faces_known && report.crossing_faces == number_of_crossing_faces(with), name);
+    CHECK_MESSAGE(IAR::surface_distance(with, input).mean() < 1.2 * IAR::surface_distance(without, input).mean(), name);
+    crossing += report.crossing_faces;
+    crossing_without += number_of_crossing_faces(without);
+  }
+  CHECK_MESSAGE(3 * crossing < crossing_without || meshes::is_small_run(), crossing << " of " << crossing_without);
 }
 
 // A grid whose edges are neither too long nor too short, and all of whose vertices are regular, is no better for that: its angles
@@ -1192,6 +1217,7 @@ int main(int argc, char* argv[])
   the_repair_reaches_the_band();
   large_distances_are_lowered();
   crossing_faces_are_parted();
+  small_crossings_of_the_input_are_parted();
   regular_grids_are_stirred_up();
   apexes_of_coarse_cones_stay();
   tips_are_not_worn_off_by_what_mends_angles();

@@ -91,7 +91,8 @@ struct Recipe
   /// its upper bound, over 60
   double upper_angle = 88;
   /// whether the clean-up tries flips, collapses and splits where moving vertices does not reach the band, at folds, and where faces
-  /// cross others though the input does not cross itself there
+  /// cross others: though the input does not cross itself there, or, where the target length is 1.5 times as long as the edges of
+  /// the input or longer, where that is easy
   bool repair = true;
   /// the largest distance between the result and the surface that the clean-up leaves alone, in target lengths. Larger ones,
   /// at tips and in crevices, are lowered as far as the angles allow. 0 turns that off, as does a projector of another surface.

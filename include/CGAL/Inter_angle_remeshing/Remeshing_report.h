@@ -92,7 +92,7 @@ struct Remeshing_report
   std::size_t glides = 0;
   /// the number of operations that mended angles out of the band, folds, and faces that crossed others
   std::size_t repairs = 0;
-  /// the number of faces of the range that cross others of it in the end, as they do where the input crosses itself; two that share
+  /// the number of faces of the range that cross others of it in the end, as many do where the input crosses itself; two that share
   /// an edge do not; 0 where they were not looked for
   std::size_t crossing_faces = 0;
   /// whether they were looked for: `Recipe::repair` is on, and the target length is not much less than the altitudes of the surface's

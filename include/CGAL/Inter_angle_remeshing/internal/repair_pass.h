@@ -49,7 +49,7 @@ class Repairer
   // The pass ends after so many trials for angles and as many for folds, and so many more of each for every bad face, but at most
   // one for so many faces of the input or of the mesh, what is more: a trial takes as long as ten faces of the run.
   static constexpr std::size_t LEAST_TRIALS = 100, TRIALS_PER_BAD_FACE = 10, FACES_PER_TRIAL = 40;
-  // Where faces cross, so many times as many, for they are few, and hardly any finalists.
+  // Where faces cross, so many times as many, for they are few, and hardly any finalists; where the surface does, too, no more.
   static constexpr std::size_t CROSSING_TRIALS = 6, CROSSING_FINALISTS = 2;
   // Operations at vertices with hundreds of edges would take too long to try.
   static constexpr std::size_t LARGEST_REGION = 100;
@@ -62,18 +62,20 @@ class Repairer
   // An operation stays if it takes away this part of what is bad around it.
   static constexpr double NOTICEABLE = 0.02;
   static constexpr double TOUCH = 0.05;      // degrees that every bad face counts more
-  // What two faces that cross each other count, and what the length of the segment in which they do, in target lengths. To part
-  // them edges may be split that are much shorter.
-  static constexpr double CROSSING = 200, CROSSING_LENGTH = 6000, SPLIT_AT_CROSSING = 0.1;
+  // What two faces that cross each other count, and what the length of the segment in which they do, in target lengths; less where
+  // the surface crosses itself: angles are not given up for what cannot be parted. Edges may be split that are much shorter.
+  static constexpr double CROSSING = 200, CROSSING_LENGTH = 6000, INHERITED_CROSSING = 100, SPLIT_AT_CROSSING = 0.1;
   // To unfold a face the mesh may withdraw so many times as far.
   static constexpr double UNFOLDING = 2;
   // Where the surface crosses itself within so many target lengths, or edges of its own, faces may cross. Places that are this near
   // to each other, of which a surface finer than the target has any number, are one.
   static constexpr double SAME_PLACE = 1.5, ONE_PLACE = 0.1;
+  // What a surface whose edges are shorter than the target by this factor crosses is small: it is parted, too, where that is easy.
+  static constexpr double COARSE = 1.5;
   // What an operation near a face changes lies within so many rings of it.
   static constexpr int REACH = 3;
 
-  enum class Fault { angle, fold, crossing };
+  enum class Fault { angle, fold, crossing, inherited_crossing };
   enum class Kind { none, flip, collapse, split, place };    // the last one puts a vertex onto the surface
   struct Operation
   {
@@ -124,16 +126,17 @@ public:
     in_vain_.clear();
     fault_ = Fault::crossing;
     most_trials_ = 0;
-    std::optional<Places> places_of_surface;
+    places_of_surface_.reset();
     const std::size_t operations = mend([&]() {
       const std::vector<std::pair<Index, Index>> pairs = crossing_faces<ConcurrencyTag>(mesh_);
       Bad_faces result{faces_of(pairs)};
       crossing = result.faces.size();
       if (pairs.empty()) return result;
+      if (!places_of_surface_) places_of_surface_ = places_where_surface_crosses<ConcurrencyTag>();
       for (const auto& [f, g] : pairs) result.score += score_of_crossing(f, g);
-      if (!places_of_surface) places_of_surface = places_where_surface_crosses<ConcurrencyTag>();
-      const auto is_inherited = [&](Index f) { return is_near(*places_of_surface, f); };
-      result.faces.erase(std::remove_if(result.faces.begin(), result.faces.end(), is_inherited), result.faces.end());
+      const auto inherited = std::stable_partition(result.faces.begin(), result.faces.end(), [&](Index f) { return !is_inherited(f); });
+      if (context_.target_length < COARSE * places_of_surface_->edge_length) result.faces.erase(inherited, result.faces.end());
+      else sort_by_crossing_lengths(inherited, result.faces.end(), pairs);
       grid_.emplace(mesh_, context_.largest_length());
       return result;
     });
@@ -182,13 +185,18 @@ private:
     return operations;
   }
 
+  bool is_at_crossing() const { return fault_ == Fault::crossing || fault_ == Fault::inherited_crossing; }
+
   std::size_t& trials() { return trials_[std::size_t(fault_)]; }
   std::size_t most_trials() const { return fault_ == Fault::crossing ? CROSSING_TRIALS * most_trials_ : most_trials_; }
 
   // Whether face f has a fault, and of the kind that is looked for.
   bool is_bad(Index f)
   {
-    if (fault_ == Fault::crossing) return are_crossed(mesh_, *grid_, {f}, marks_);
+    if (is_at_crossing()) {
+      fault_ = is_inherited(f) ? Fault::inherited_crossing : Fault::crossing;
+      return are_crossed(mesh_, *grid_, {f}, marks_);
+    }
     fault_ = fold_violation(context_, f) > 0 ? Fault::fold : Fault::angle;
     return violation(f) > 0;
   }
@@ -197,7 +205,7 @@ private:
   struct Places
   {
     Point_grid corners;
-    double reach = 0;                      // the mean edge length of the surface: what is bent over its faces crosses elsewhere
+    double edge_length = 0;                // the mean of the surface: what is bent over its faces crosses that far elsewhere
   };
 
   template <class ConcurrencyTag>
@@ -207,8 +215,8 @@ private:
     const Reference_surface& surface = *context_.projector.surface;
     double sum = 0;
     for (Index f = 0; f < Index(surface.number_of_faces()); ++f) sum += mean_edge_length(surface, f);
-    const double reach = sum / (double(surface.number_of_faces()) * context_.projector.factor);
-    Places result{Point_grid(SAME_PLACE * (std::max)(reach, context_.largest_length())), reach};
+    const double edge_length = sum / (double(surface.number_of_faces()) * context_.projector.factor);
+    Places result{Point_grid(SAME_PLACE * (std::max)(edge_length, context_.largest_length())), edge_length};
     for (const Index f : faces_of(crossing_faces<ConcurrencyTag>(surface)))
       for (const Index v : surface.face_record(f).vertex) {
         const Vector3 p = (1 / context_.projector.factor) * surface.position(v);
@@ -217,12 +225,25 @@ private:
     return result;
   }
 
-  bool is_near(const Places& places, Index f) const
+  // Whether the surface crosses itself near face f.
+  bool is_inherited(Index f) const
   {
     const auto& v = mesh_.face_record(f).vertex;
     return std::any_of(v, v + 3, [&](Index u) {
-      return places.corners.has_near(mesh_.position(u), SAME_PLACE * (std::max)(places.reach, context_.length_at(u)));
-    });
+      return places_of_surface_->corners.has_near(
+        mesh_.position(u), SAME_PLACE * (std::max)(places_of_surface_->edge_length, context_.length_at(u))); });
+  }
+
+  // Those first that cross others in the shortest segments.
+  void sort_by_crossing_lengths(std::vector<Index>::iterator begin, std::vector<Index>::iterator end,
+                                const std::vector<std::pair<Index, Index>>& pairs) const
+  {
+    std::vector<double> longest(mesh_.number_of_face_slots(), 0);
+    for (const auto& [f, g] : pairs) {
+      const double l = crossing_length(mesh_, f, g) / context_.length_at(mesh_.face_record(f).vertex[0]);
+      for (const Index x : {f, g}) longest[x] = (std::max)(longest[x], l);
+    }
+    std::stable_sort(begin, end, [&](Index f, Index g) { return longest[f] < longest[g]; });
   }
 
   // 1 if no operation next to face f helps, 2 if none near it does.
@@ -267,6 +288,7 @@ private:
 
   double score_of_crossing(Index f, Index g) const
   {
+    if (is_inherited(f) && is_inherited(g)) return INHERITED_CROSSING;
     return CROSSING + CROSSING_LENGTH * crossing_length(mesh_, f, g) / context_.length_at(mesh_.face_record(f).vertex[0]);
   }
 
@@ -274,7 +296,7 @@ private:
   double score(const std::vector<Index>& faces) const
   {
     double sum = 0;
-    if (fault_ == Fault::crossing) for_each_crossing_near(faces, [&](Index f, Index g) { sum += score_of_crossing(f, g); });
+    if (is_at_crossing()) for_each_crossing_near(faces, [&](Index f, Index g) { sum += score_of_crossing(f, g); });
     for (const Index f : faces)
       if (mesh_.is_face(f)) sum += score_of_violation(violation(f));
     return sum;
@@ -317,7 +339,7 @@ private:
     is_scored_.start(mesh_.number_of_face_slots());
     score_before_.resize((std::max)(score_before_.size(), mesh_.number_of_face_slots()));
     crossings_before_.clear();
-    if (fault_ != Fault::crossing) return;
+    if (!is_at_crossing()) return;
     const auto& corner = mesh_.face_record(f).vertex;
     const std::vector<Index> within_reach = faces_around(mesh_, ball(mesh_, {corner[0], corner[1], corner[2]}, REACH, marks_));
     near_ = faces_near(mesh_, *grid_, within_reach, marks_);
@@ -335,7 +357,7 @@ private:
     centers.erase(std::remove_if(centers.begin(), centers.end(), is_hub), centers.end());
     std::vector<Index> edges;
     std::vector<Operation> result;
-    if (fault_ == Fault::crossing && context_.projector.has_faces())
+    if (is_at_crossing() && context_.projector.has_faces())
       for (const Index v : centers) if (mesh_.is_free(v)) result.push_back({Kind::place, mesh_.first(v)});
     for (const Index v : centers)
       mesh_.for_each_around(v, [&](Index h) {
@@ -346,7 +368,7 @@ private:
       });
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    const double shortest = fault_ == Fault::crossing ? SPLIT_AT_CROSSING : SPLIT;
+    const double shortest = is_at_crossing() ? SPLIT_AT_CROSSING : SPLIT;
     const int gain = round_ == 0 ? GAIN_AT_FIRST : GAIN_LATER;
     for (const Index h : edges) {
       const double unit = squared(context_.length_at(mesh_.origin(h), mesh_.target(h)));
@@ -440,11 +462,11 @@ private:
       else
         note_in_vain(operation);
     }
-    const std::size_t n = (std::min)(promising.size(), fault_ == Fault::crossing ? CROSSING_FINALISTS : FINALISTS);
+    const std::size_t n = (std::min)(promising.size(), is_at_crossing() ? CROSSING_FINALISTS : FINALISTS);
     const auto is_better = [](const auto& a, const auto& b) { return a.first > b.first; };
     std::stable_sort(promising.begin(), promising.end(), is_better);
     promising.resize(n);
-    for (auto& p : promising) p.first = gain(p.second, SWEEPS, fault_ != Fault::crossing);
+    for (auto& p : promising) p.first = gain(p.second, SWEEPS, !is_at_crossing());
     const auto best = std::min_element(promising.begin(), promising.end(), is_better);
     return best != promising.end() && best->first > 0 ? best->second : Operation();
   }
@@ -467,7 +489,8 @@ private:
   Angle_descent descent_;
   Collapse_limits limits_;
   Mesh_snapshot snapshot_;
-  std::optional<Face_grid> grid_;        // for crossings
+  std::optional<Places> places_of_surface_;    // for crossings
+  std::optional<Face_grid> grid_;
   std::vector<Index> near_;              // the faces that may cross those around the face at hand
   std::vector<Crossing> crossings_before_;     // of the faces around the face at hand
   std::vector<double> score_before_;     // by face; without crossings
@@ -475,7 +498,7 @@ private:
   int round_ = 0;
   bool leaves_bad_faces_ = false;        // after the last run
   Fault fault_ = Fault::angle;           // of the face at hand
-  std::array<std::size_t, 3> trials_{};  // by fault; folds leave angles to mend
+  std::array<std::size_t, 4> trials_{};  // by fault; folds leave angles to mend
   std::size_t most_trials_ = 0;          // of each
   std::vector<char> given_up_;           // by face
   std::vector<char> in_vain_;            // by half-edge, a bit for each kind of operation
