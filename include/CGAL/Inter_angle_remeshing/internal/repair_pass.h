@@ -73,7 +73,7 @@ class Repairer
   // What a surface whose edges are shorter than the target by this factor crosses is small: it is parted, too, where that is easy.
   static constexpr double COARSE = 1.5;
   // What an operation near a face changes lies within so many rings of it.
-  static constexpr int REACH = 3;
+  static constexpr int REACH = 4;
 
   enum class Fault { angle, fold, crossing, inherited_crossing };
   enum class Kind { none, flip, collapse, split, place };    // the last one puts a vertex onto the surface
