@@ -430,7 +430,7 @@ void crossing_faces_are_parted()
   }
 }
 
-// Where the input crosses itself in what is small beside the target length, the result need not, and comes no less near to it. With
+// Where the input crosses itself in what is small beside the target length, the result need not, and hardly withdraws for that. With
 // and without the repair 16 and 176 faces crossed others when this was written, 102 with one that let such faces be.
 void small_crossings_of_the_input_are_parted()
 {

@@ -90,7 +90,7 @@ private:
     star_.read(mesh_, v, [&](Index u, Index w) -> const Angle_band& { return bands_.of(mesh_, v, u, w); });
   }
 
-  // Whether the star, with v at q instead of p, has the energy `enough` at most, and neither folds nor grows thin.
+  // Whether the star, with v at q instead of p, has less energy than `enough`, and neither folds nor grows thin.
   bool is_better(double enough, const Vector3& p, const Vector3& q)
   {
     return star_.value(q) < enough && star_.keeps_orientation(p, q) && !grows_thin(p);
@@ -124,7 +124,7 @@ private:
     double step = (std::min)(LONGEST_STEP * length_at(v), STEP_FACTOR * energy / slope);
     for (int trial = 0; trial < TRIALS; ++trial, step *= BACKTRACK) {
       const Vector3 r = p - (step / slope) * g;
-      if (!(star_.value(r) < energy)) continue;      // the projection hardly changes that
+      if (!(star_.value(r) < energy)) continue;    // the projection hardly changes that
       Index hint = nearest;
       const Vector3 q = context_.projector(r, hint) + offset;
       if (!context_.projector.is_compatible(hint, normal) || !is_better(energy, p, q) || !keeps_places(v, p, q))
