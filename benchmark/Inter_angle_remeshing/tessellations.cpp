@@ -5,7 +5,7 @@
 // What CAD systems export: surfaces of revolution whose faces are as long as the part and as narrow as it curves. By default
 // with nothing marked, and by PMP with the edges over 40 degrees marked, both to a length at which so many equilateral
 // triangles have the area of the input. Then what few iterations do, and targets far finer than the facets; regular grids, flat
-// and wavy; and terrains. Tables in Markdown.
+// and wavy; terrains; and boxes with tiny chamfers, with and without the merging of these. Tables in Markdown.
 //
 //   tessellations [pairs]       the times are medians over so many pairs of runs; 5
 
@@ -123,6 +123,25 @@ Mesh terrain(double height)
   return mesh;
 }
 
+// A box over the unit square whose upright edges are chamfers that take `c` of each side.
+Mesh chamfered_box(double c, double height)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for (const double z : {0., height})
+    for (const auto& [x, y] : {std::pair{c, 0.}, {1 - c, 0.}, {1., c}, {1., 1 - c}, {1 - c, 1.}, {c, 1.}, {0., 1 - c}, {0., c}})
+      v.push_back(mesh.add_vertex(Kernel::Point_3(x, y, z)));
+  for (std::size_t i = 0; i < 8; ++i) {
+    const std::size_t j = (i + 1) % 8;
+    mesh.add_face(v[i], v[j], v[8 + j]);
+    mesh.add_face(v[i], v[8 + j], v[8 + i]);
+    if (i == 0 || j == 0) continue;
+    mesh.add_face(v[0], v[j], v[i]);
+    mesh.add_face(v[8], v[8 + i], v[8 + j]);
+  }
+  return mesh;
+}
+
 struct Part
 {
   std::string name;
@@ -160,14 +179,15 @@ void print_head()
               "|---|---|---|---|---|---|---|---|---|---|\n");
 }
 
-void compare(const Part& part, std::size_t wanted, std::size_t pairs, unsigned iterations = 10)
+void compare(const Part& part, std::size_t wanted, std::size_t pairs, unsigned iterations = 10,
+             const IAR::Recipe& recipe = IAR::Recipe())
 {
   const double length = IAR::target_edge_length(faces(part.mesh), part.mesh, wanted);
   Mesh ours, theirs;
   std::vector<double> ratios;
   for (std::size_t i = 0; i < pairs; ++i) {
     const double t = seconds(part.mesh, ours, [&](Mesh& m) {
-      IAR::isotropic_remeshing(length, m, parameters::number_of_iterations(iterations)); });
+      IAR::isotropic_remeshing(faces(m), length, m, IAR::recipe(recipe, parameters::number_of_iterations(iterations))); });
     ratios.push_back(seconds(part.mesh, theirs, [&](Mesh& m) {
       const auto is_sharp = m.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
       PMP::detect_sharp_edges(m, 40, is_sharp);
@@ -208,4 +228,14 @@ int main(int argc, char* argv[])
   for (const double height : {6., 12.})
     for (const std::size_t wanted : {3000, 12000})
       compare({height > 6 ? "terrain, block of height 12" : "terrain, block of height 6", terrain(height)}, wanted, pairs);
+  std::printf("\n");
+  print_head();
+  for (const double c : {.00005, .0005, .005})
+    for (const bool is_merged : {true, false}) {
+      IAR::Recipe recipe;
+      if (!is_merged) recipe.merging_distance = 0;
+      char name[64];
+      std::snprintf(name, sizeof name, "box with chamfers of %g%s", c, is_merged ? "" : ", not merged");
+      compare({name, chamfered_box(c, .4)}, 800, pairs, 10, recipe);
+    }
 }

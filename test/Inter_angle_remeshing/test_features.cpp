@@ -3,6 +3,7 @@
 
 // Curves: features that are marked or found, and borders. What is found; what stays, and where; what slides.
 
+#include <CGAL/Inter_angle_remeshing/Attribute_transfer.h>
 #include <CGAL/Inter_angle_remeshing/Projection/Closest_point_projector.h>
 #include <CGAL/Inter_angle_remeshing/Projection/MLS_projector.h>
 #include <CGAL/Inter_angle_remeshing/detect_features.h>
@@ -829,6 +830,114 @@ void grading_mends_small_details()
                          CGAL::Precondition_exception, "grading");
 }
 
+// A box over the unit square whose upright edges are chamfers, so wide that they take `c` of each side.
+Mesh chamfered_box(double c, double height)
+{
+  Soup box;
+  for(const double z : {0., height})
+    for(const auto& [x, y] : {std::pair{c, 0.}, {1 - c, 0.}, {1., c}, {1., 1 - c}, {1 - c, 1.}, {c, 1.}, {0., 1 - c}, {0., c}})
+      box.points.push_back({x, y, z});
+  for(std::size_t i = 0; i < 8; ++i)
+  {
+    const std::size_t j = (i + 1) % 8;
+    box.faces.push_back({i, j, 8 + j});
+    box.faces.push_back({i, 8 + j, 8 + i});
+    if(i == 0 || j == 0)
+      continue;
+    box.faces.push_back({0, j, i});
+    box.faces.push_back({8, 8 + i, 8 + j});
+  }
+  return meshes::to_mesh<Mesh>(box);
+}
+
+double distance_to_nearest_vertex(const Point& p, const Mesh& m)
+{
+  double best = std::numeric_limits<double>::infinity();
+  for(const Vertex v : m.vertices())
+    best = std::min(best, CGAL::squared_distance(p, m.point(v)));
+  return std::sqrt(best);
+}
+
+// Chamfers a hundredth of the target length wide are one edge afterwards, and the needles on them are gone; those that are wider
+// stay, as does what the user marks or locks, and as all do where that is turned off.
+void tiny_chamfers_are_merged()
+{
+  const double length = .1;
+  const Mesh input = chamfered_box(.0005, .4);
+  IAR::Recipe kept;
+  kept.merging_distance = 0;
+  Mesh merged = input, unmerged = input;
+  const auto report = IAR::isotropic_remeshing(length, merged);
+  CHECK(CGAL::is_valid_polygon_mesh(merged) && topology(merged) == topology(input) && !does_self_intersect(merged));
+  CHECK(report.features == Features::all_sharp_edges && report.angles_after.minimum > 30 && report.angles_after.maximum < 110);
+  CHECK_MESSAGE(IAR::surface_distance(input, merged).hausdorff() < .02 * length,
+                IAR::surface_distance(input, merged).hausdorff());
+  CHECK(PMP::volume(merged) > .3995 && PMP::volume(merged) < .4005);
+  CHECK(IAR::isotropic_remeshing(faces(unmerged), length, unmerged, IAR::recipe(kept)).angles_after.minimum < 5);
+
+  // The attributes of faces that stay are found on the input.
+  Mesh attributed = input;
+  const auto side = attributed.add_property_map<Mesh::Face_index, int>("f:side", -1).first;
+  const auto height = attributed.add_property_map<Vertex, double>("v:height", -1).first;
+  for(const Mesh::Face_index f : attributed.faces())
+    side[f] = PMP::compute_face_normal(f, attributed).z() > .5;
+  for(const Vertex v : attributed.vertices())
+    height[v] = attributed.point(v).z();
+  IAR::Attribute_transfer<Mesh> transfer;
+  transfer.add_face_map(side);
+  transfer.add_vertex_map(height);
+  IAR::isotropic_remeshing(faces(attributed), length, attributed, parameters::visitor(transfer));
+  for(const Mesh::Face_index f : attributed.faces())
+    CHECK(side[f] == (PMP::compute_face_normal(f, attributed).z() > .5));
+  for(const Vertex v : attributed.vertices())
+    CHECK(std::abs(height[v] - attributed.point(v).z()) < 1e-9);
+
+  // Nothing is merged that the user speaks about.
+  const auto keeps_all_corners = [](const Mesh& before, const Mesh& after) {
+    for(const Vertex v : before.vertices())
+      if(!(distance_to_nearest_vertex(before.point(v), after) < 1e-12))
+        return false;
+    return true;
+  };
+  CHECK(!keeps_all_corners(input, merged) && keeps_all_corners(input, unmerged));
+  Mesh marked = input;
+  Edge_map map = marked.add_property_map<Edge, bool>("e:marked", false).first;
+  PMP::detect_sharp_edges(marked, 40, map);
+  IAR::isotropic_remeshing(faces(marked), length, marked, parameters::edge_is_constrained_map(map));
+  CHECK(keeps_all_corners(input, marked));
+  for(const bool protects : {false, true})
+  {
+    Mesh m = input;
+    IAR::isotropic_remeshing(faces(m), length, m,
+                             parameters::protect_constraints(protects).collapse_constraints(false));
+    CHECK_MESSAGE(keeps_all_corners(input, m), protects);
+  }
+  Mesh locked = input;
+  const auto is_locked = locked.add_property_map<Vertex, bool>("v:locked", false).first;
+  for(const std::size_t i : {0, 7, 9})
+    is_locked[Vertex(typename Mesh::size_type(i))] = true;
+  IAR::isotropic_remeshing(faces(locked), length, locked, parameters::vertex_is_constrained_map(is_locked));
+  for(const std::size_t i : {0, 7, 9})
+    CHECK_MESSAGE(distance_to_nearest_vertex(input.point(Vertex(typename Mesh::size_type(i))), locked) == 0, i);
+  CHECK(!keeps_all_corners(input, locked));
+
+  // So are corners of borders.
+  Mesh open = input;
+  for(const Mesh::Face_index f : std::vector<Mesh::Face_index>(open.faces_begin(), open.faces_end()))
+    if(PMP::compute_face_normal(f, open).z() > .5)
+      CGAL::Euler::remove_face(open.halfedge(f), open);
+  open.collect_garbage();
+  Mesh without_top = open;
+  const auto of_open = IAR::isotropic_remeshing(length, without_top);
+  CHECK(CGAL::is_valid_polygon_mesh(without_top) && topology(without_top) == topology(open));
+  CHECK(of_open.angles_after.minimum > 30 && of_open.angles_after.maximum < 110);
+
+  const Mesh wide = chamfered_box(.003, .4);
+  Mesh m = wide;
+  IAR::isotropic_remeshing(length, m);
+  CHECK(keeps_all_corners(wide, m));
+}
+
 // Facets of a round rim are no details: the target follows those edges only that the rim needs. (Measured: 360 and 938 faces, 424
 // and 1010 in three iterations, where its facets ruled 1024 to 2188, and equilateral ones would be 203 and 812.)
 void round_rims_are_coarsened()
@@ -1213,6 +1322,7 @@ int main()
   borders_have_good_angles();
   slits_are_no_features();
   grading_mends_small_details();
+  tiny_chamfers_are_merged();
   grading_mends_jagged_borders();
   round_rims_are_coarsened();
   coarse_results_are_still_cad_models();

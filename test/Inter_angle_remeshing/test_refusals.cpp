@@ -258,6 +258,10 @@ void recipes_out_of_range_are_refused()
   check("grading", &IAR::Recipe::grading, -.1, true);
   check("grading", &IAR::Recipe::grading, NOT_A_NUMBER, true);
   check("grading", &IAR::Recipe::grading, 0., false);
+  for(const double bad : {-.01, .11, NOT_A_NUMBER})
+    check("merging_distance", &IAR::Recipe::merging_distance, bad, true);
+  check("merging_distance", &IAR::Recipe::merging_distance, 0., false);
+  check("merging_distance", &IAR::Recipe::merging_distance, .1, false);
   check("distance_tolerance", &IAR::Recipe::distance_tolerance, -.1, true);
   check("distance_tolerance", &IAR::Recipe::distance_tolerance, NOT_A_NUMBER, true);
   check("distance_tolerance", &IAR::Recipe::distance_tolerance, 0., false);

@@ -77,6 +77,12 @@ struct Recipe
   /// length: two corners, or a ring of three edges; but not where that is less than half of the input's mean edge. Protected
   /// edges do not count. It costs faces; 0 turns it off, as does a sizing field.
   double grading = 0.2;
+  /// the distance, in target lengths, up to which the ends of an edge are merged before the run where both are corners of features
+  /// or borders, or where it leads from one of these to another: corners that CAD systems export twice, chamfers as narrow as a
+  /// rounding error. They would stay, with needles between them. The visitor is not told, and the report does not count them.
+  /// Nothing is merged where `edge_is_constrained_map`, `sharpness_angle`, `face_patch_map`, a policy or a projection functor is
+  /// handed over, or where features and borders may not be collapsed; vertices that may not move stay. 0 turns it off, at most 0.1.
+  double merging_distance = 0.02;
   /// whether, after the last iteration, valences of 4 and less and angles out of the band are mended, and faces fitted
   bool clean_up = true;
   /// passes that fit the faces to the surface by least squares, as a part of the clean-up: the vertices then lie on both
@@ -115,6 +121,7 @@ struct Recipe
     r.glide_depth = 0;
     r.multi_level = false;
     r.grading = 0;
+    r.merging_distance = 0;
     r.clean_up = false;
     r.fits = 0;
     r.repair = false;

@@ -31,12 +31,15 @@ struct Input_kind
   double saddle_excess;          // how noisy it is, see Feature_detector::saddle_excess()
 };
 
-// The surface's faces by the input faces that they are.
+// The surface's faces by the input faces that they are; negative for those of the input that it does not have.
 inline std::vector<Remeshing_mesh::Index> faces_by_source(const Reference_surface& surface)
 {
-  std::vector<Remeshing_mesh::Index> result(surface.number_of_faces());
-  for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(result.size()); ++f)
-    result[surface.face_record(f).source] = f;
+  std::vector<Remeshing_mesh::Index> result;
+  for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(surface.number_of_faces()); ++f) {
+    const std::size_t source = std::size_t(surface.face_record(f).source);
+    if (source >= result.size()) result.resize((std::max)(source + 1, surface.number_of_faces()), -1);
+    result[source] = f;
+  }
   return result;
 }
 

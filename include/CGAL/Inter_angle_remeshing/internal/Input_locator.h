@@ -44,8 +44,6 @@ public:
     surface_ = projection.surface;
     factor_ = projection.factor;
     face_of_source_ = projection.face_of_source;
-    source_.assign(surface_->number_of_faces(), 0);
-    for (Index s = 0; s < Index(face_of_source_->size()); ++s) source_[(*face_of_source_)[s]] = s;
   }
 
   Input_place place_of_vertex(const Remeshing_mesh& mesh, Index v) const { return place(mesh.position(v), mesh.hint(v)); }
@@ -72,13 +70,12 @@ private:
     for (double& x : b) x = (std::max)(0., x);       // on needles they may be off by rounding
     const double sum = b[0] + b[1] + b[2];
     for (double& x : b) x /= sum;
-    return {copy_ != nullptr ? surface_->face_record(f).source : source_[f], b};
+    return {surface_->face_record(f).source, b};
   }
 
   const Reference_surface* surface_ = nullptr;
   double factor_ = 1;                                   // from the mesh's units to the surface's
   const std::vector<Index>* face_of_source_ = nullptr;  // the projector's
-  std::vector<Index> source_;                           // the other way round
   std::unique_ptr<const Reference_surface> copy_;       // of the input, where the projector knows another surface, or none
 };
 

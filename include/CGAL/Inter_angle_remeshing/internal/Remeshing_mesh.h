@@ -242,6 +242,8 @@ public:
   // Whether the source of h may be merged into its target: the link condition, and both curves and what lies
   // outside of the range kept. h may be a border side, here and in collapse().
   bool is_collapse_legal(Index h) const;
+  // The same, but for locks and curves: the link condition, and what lies outside of the range kept.
+  bool keeps_topology(Index h) const;
 
   // --- the three operations -----------------------------------------------------------------------------------
 
@@ -425,15 +427,22 @@ inline bool Remeshing_mesh::is_flip_legal(Index h) const
 
 inline bool Remeshing_mesh::is_collapse_legal(Index h) const
 {
-  const Index g = opposite(h), a = source(h), b = source(g);
-  const Index side = h >= 0 ? h : g;                         // a half-edge of the edge that has a face
-  if (is_locked(a) || is_protected(side) || valence(a) + valence(b) > LARGEST_VALENCE) return false;
+  const Index g = opposite(h), a = source(h);
+  if (is_locked(a)) return false;
   if (is_on_curve(a)) {
     // The triangle of the edge goes; if its other two edges are on curves, too, these would fall into one.
-    if (!is_on_curve_edge(side)) return false;
+    if (!is_on_curve_edge(h >= 0 ? h : g)) return false;
     for (const Index k : {h, g})
       if (k >= 0 && is_on_curve_edge(next(k)) && is_on_curve_edge(prev(k))) return false;
   }
+  return keeps_topology(h);
+}
+
+inline bool Remeshing_mesh::keeps_topology(Index h) const
+{
+  const Index g = opposite(h), a = source(h), b = source(g);
+  const Index side = h >= 0 ? h : g;                         // a half-edge of the edge that has a face
+  if (is_protected(side) || valence(a) + valence(b) > LARGEST_VALENCE) return false;
   // The face at the tip of an ear goes with it, and a protected edge of it would come to lie on the border.
   if (is_border_vertex(a) && valence(a) == 2 && (is_protected(next(side)) || is_protected(prev(side)))) return false;
   const Index c = h >= 0 ? apex(h) : NO_VERTEX, d = g >= 0 ? apex(g) : NO_VERTEX;

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-// The corners of curves, which neither move nor go: ends, junctions, and turns.
+// The corners of curves, which neither move nor go in a run: ends, junctions, and turns.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -38,15 +38,16 @@ inline Remeshing_mesh::Index next_along_curve(const Remeshing_mesh& mesh, Remesh
 struct Curve_arm
 {
   Vector3 direction;
-  bool passes_locked = false;    // whether one of the vertices that lie where v does is locked
+  bool passes_corner = false;    // whether one of the vertices that lie where v does is one
 };
 
-inline Curve_arm curve_arm(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, Remeshing_mesh::Index u)
+inline Curve_arm curve_arm(const Remeshing_mesh& mesh, const std::vector<char>& is_corner, Remeshing_mesh::Index v,
+                           Remeshing_mesh::Index u)
 {
   Curve_arm arm;
   Remeshing_mesh::Index previous = v;
   for (int step = 0; step < MAXIMUM_CURVE_STEPS && mesh.position(u) == mesh.position(v); ++step) {
-    arm.passes_locked = arm.passes_locked || mesh.is_locked(u);
+    arm.passes_corner = arm.passes_corner || is_corner[u];
     const Remeshing_mesh::Index following = next_along_curve(mesh, previous, u);
     if (following < 0 || following == v) break;
     previous = u;
@@ -106,42 +107,43 @@ inline double cosine_of_turn(const Vector3& arm, const Vector3& other_arm)
   return product > 0 ? -dot(arm, other_arm) / product : 1.;
 }
 
-// Locks the corners: where curves end or meet, where a constrained part of the border begins, and where a curve turns. Of
-// several vertices at a turn that lie in the same place, one is locked, so that the edges without length between them can go.
-// A length above 0 says that curves may be jagged: then those turns count that are turns at the scale of that length, too,
-// and the sharpest of several that are close together.
-inline void lock_corners(Remeshing_mesh& mesh, double scale)
+// The corners, by vertex: where curves end or meet, where a constrained part of the border begins, where a curve turns, and what is
+// locked. Of several vertices at a turn that lie in the same place, one is a corner, so that the edges without length between
+// them can go. A length above 0 says that curves may be jagged: then those turns count that are turns at the scale of that
+// length, too, and the sharpest of several that are close together. A turn is one whose cosine is under the given one.
+inline std::vector<char> find_corners(const Remeshing_mesh& mesh, double scale, double corner_cosine = CORNER_COSINE)
 {
   using Index = Remeshing_mesh::Index;
   std::vector<Turn> turns;
-  std::vector<char> is_sharp_turn(mesh.number_of_vertex_slots(), 0);
+  std::vector<char> is_corner(mesh.number_of_vertex_slots(), 0), is_sharp_turn(mesh.number_of_vertex_slots(), 0);
+  for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) is_corner[v] = mesh.is_vertex(v) && mesh.is_locked(v);
   for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
-    if (!mesh.is_on_curve(v)) continue;
+    if (!mesh.is_vertex(v) || !mesh.is_on_curve(v)) continue;
     int edges = 0, constrained = 0;
     Curve_arm arms[2];
     Turn turn{v, 1, {v, v}, {}};
     for_each_curve_halfedge(mesh, v, [&](Index h) {
       const Index u = mesh.source(mesh.opposite(h));
       if (edges < 2) {
-        arms[edges] = curve_arm(mesh, v, u);
+        arms[edges] = curve_arm(mesh, is_corner, v, u);
         turn.neighbors[edges] = u;
       }
       constrained += mesh.is_constrained(h < 0 ? ~h : h);
       ++edges;
     });
     if (edges != 2 || constrained == 1) {
-      mesh.add_marks(v, Remeshing_mesh::LOCKED);
+      is_corner[v] = 1;
       continue;
     }
-    if (arms[0].passes_locked || arms[1].passes_locked ||
-        is_cosine_at_least(arms[0].direction, -1. * arms[1].direction, CORNER_COSINE)) continue;
+    if (arms[0].passes_corner || arms[1].passes_corner ||
+        is_cosine_at_least(arms[0].direction, -1. * arms[1].direction, corner_cosine)) continue;
     if (!(scale > 0)) {
-      mesh.add_marks(v, Remeshing_mesh::LOCKED);
+      is_corner[v] = 1;
       continue;
     }
     for (const int k : {0, 1}) turn.arms[k] = straight_arm(mesh, v, turn.neighbors[k], CORNER_ARM * scale);
     turn.cosine = cosine_of_turn(turn.arms[0], turn.arms[1]);
-    if (turn.cosine < CORNER_COSINE) turns.push_back(turn);
+    if (turn.cosine < corner_cosine) turns.push_back(turn);
   }
   std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) {
     return a.cosine != b.cosine ? a.cosine < b.cosine : a.vertex < b.vertex; });
@@ -158,8 +160,16 @@ inline void lock_corners(Remeshing_mesh& mesh, double scale)
       });
     if (is_left_out) continue;
     is_sharp_turn[turn.vertex] = 1;
-    mesh.add_marks(turn.vertex, Remeshing_mesh::LOCKED);
+    is_corner[turn.vertex] = 1;
   }
+  return is_corner;
+}
+
+inline void lock_corners(Remeshing_mesh& mesh, double scale)
+{
+  const std::vector<char> is_corner = find_corners(mesh, scale);
+  for (Remeshing_mesh::Index v = 0; v < Remeshing_mesh::Index(is_corner.size()); ++v)
+    if (is_corner[v]) mesh.add_marks(v, Remeshing_mesh::LOCKED);
 }
 
 } // namespace internal

@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESH_RANGE_H
 
 #include <CGAL/Inter_angle_remeshing/internal/attribute_exchange.h>
+#include <CGAL/Inter_angle_remeshing/internal/close_curve_vertices.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
 #include <CGAL/Inter_angle_remeshing/internal/corners.h>
 #include <CGAL/Inter_angle_remeshing/internal/feature_detection.h>
@@ -55,6 +56,9 @@ struct Remeshing_parameters
   bool may_subdivide;
 };
 
+// Vertices that are farther apart, in target lengths, are details.
+constexpr double LARGEST_MERGING_DISTANCE = 0.1;
+
 inline void check_recipe(const Recipe& recipe)
 {
   if (!(recipe.split_ratio > 1 && recipe.split_ratio <= 2))
@@ -77,6 +81,9 @@ inline void check_recipe(const Recipe& recipe)
   check_not_negative(recipe.grading, "grading");
   check_not_negative(recipe.distance_tolerance, "distance_tolerance");
   check_not_negative(recipe.collapse_tolerance, "collapse_tolerance");
+  if (!(recipe.merging_distance >= 0 && recipe.merging_distance <= LARGEST_MERGING_DISTANCE))
+    refuse(REMESHING, "Recipe::merging_distance is " + to_text(recipe.merging_distance) + "; it must lie in [0, " +
+                      to_text(LARGEST_MERGING_DISTANCE) + "]");
 }
 
 template <class PatchMap, class Faces>
@@ -125,6 +132,16 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
   return kind;
 }
 
+// Whether curves may lose tiny edges before the run. Not where the user's marks say what is to be kept, or a policy what may go, or
+// where the surface is another one than the mesh itself.
+template <class Parameters>
+bool may_merge_curve_vertices(const Parameters& parameters, const Input_kind& kind)
+{
+  return parameters.may_subdivide && parameters.may_collapse_constraints && parameters.does_project && kind.has_found_features &&
+         std::is_same<std::decay_t<decltype(referred(parameters.projection_functor))>, No_map>::value &&
+         std::is_same<std::decay_t<decltype(parameters.face_patch_map)>, No_map>::value;
+}
+
 // How rough noise makes the stars of a mesh with edges of the target length: the shorter these are beside the input's, the rougher.
 inline double noise(const Input_kind& kind, double mean_length, double target)
 {
@@ -160,9 +177,15 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
                    parameters.face_patch_map, parameters.constraint_settings);
   const double mean_length = total_length / (1.5 * double(exchange.input_faces().size()));
   const Input_kind kind = find_and_mark_features(exchange.mesh(), wanted, mean_length, parameters);
-  lock_corners(exchange.mesh(), kind.is_cad ? 0. : target);    // designed curves are not jagged
   const auto patches = read_patches(parameters.face_patch_map, exchange.input_faces());
   Remeshing_mesh mesh = exchange.take_mesh();
+  const double scale_of_corners = kind.is_cad ? 0. : target;    // designed curves are not jagged
+  if (may_merge_curve_vertices(parameters, kind))
+    Close_curve_vertices(mesh, find_corners(mesh, scale_of_corners, CHAMFER_COSINE), [&](Remeshing_mesh::Index v) {
+      const double part = wanted.sizing.part_of_face(mesh.face_record(mesh.face(mesh.first(v))).source);
+      return parameters.recipe.merging_distance * target * part;
+    }).merge();
+  lock_corners(mesh, scale_of_corners);
   mesh.renumber<ConcurrencyTag>(morton_order(mesh));
   Input_curves curves(mesh);
   const bool has_small_details = wanted.sizing.is_uniform() &&

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_CLOSE_CURVE_VERTICES_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_CLOSE_CURVE_VERTICES_H
+
+#include <CGAL/Inter_angle_remeshing/internal/curves.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+// Merges vertices of curves that are tiny distances apart, before curves are followed. CAD systems export such: two corners where
+// one was meant, chamfers and steps as wide as a rounding error. Neither a corner nor a vertex that would have to change its curve
+// goes in a run, and the faces between them are needles whatever is done.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// The two corners of a chamfer turn by 45 degrees each, or by what rounding leaves of that.
+constexpr double CHAMFER_COSINE = CORNER_COSINE + 1e-5;
+
+class Close_curve_vertices
+{
+  using Index = Remeshing_mesh::Index;
+
+public:
+  // `is_corner` tells the corners of the curves, those of chamfers, too; `tolerance(v)`, how far the surface may move at a vertex.
+  template <class Tolerance>
+  Close_curve_vertices(Remeshing_mesh& mesh, std::vector<char> is_corner, const Tolerance& tolerance)
+    : mesh_(mesh), is_corner_(std::move(is_corner)), tolerance_(mesh.number_of_vertex_slots(), 0),
+      shift_(mesh.number_of_vertex_slots(), 0)
+  {
+    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v)
+      if (mesh.is_vertex(v) && mesh.is_on_curve(v)) tolerance_[v] = tolerance(v);
+  }
+
+  // Merges the closest first, until none is close. Returns how many vertices went.
+  std::size_t merge()
+  {
+    std::size_t merged = 0;
+    for (bool goes_on = true; goes_on;) {
+      goes_on = false;
+      for (const auto& [squared_length, h] : tiny_edges())
+        if (mesh_.is_face(mesh_.face(h)) && is_tiny(h) && merge_ends(h)) {
+          goes_on = true;
+          ++merged;
+        }
+    }
+    return merged;
+  }
+
+private:
+  std::vector<std::pair<double, Index>> tiny_edges() const
+  {
+    std::vector<std::pair<double, Index>> result;
+    for (Index h = 0; h < 4 * Index(mesh_.number_of_face_slots()); ++h)
+      if (mesh_.corner(h) < 3 && mesh_.is_face(mesh_.face(h)) && (mesh_.is_border(h) || mesh_.opposite(h) > h) && is_tiny(h))
+        result.emplace_back(mesh_.squared_edge_length(h), h);
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // Whether the edge is tiny, and joins two corners, or leads from one curve to another.
+  bool is_tiny(Index h) const
+  {
+    const Index a = mesh_.origin(h), b = mesh_.target(h);
+    if (!mesh_.is_on_curve(a) || !mesh_.is_on_curve(b)) return false;
+    if (mesh_.is_on_curve_edge(h) && !(is_corner_[a] && is_corner_[b])) return false;
+    const double longest = (std::min)(tolerance_[a], tolerance_[b]);
+    return mesh_.squared_edge_length(h) <= longest * longest;
+  }
+
+  // One of the two ends stays where it is: rather one that may not go, then the corner, then the one on more curves.
+  bool merge_ends(Index h)
+  {
+    Index first = h, second = mesh_.opposite(h);
+    if (rank(mesh_.source(first)) > rank(mesh_.source(second))) std::swap(first, second);
+    return merge_source(first) || merge_source(second);
+  }
+
+  int rank(Index v) const
+  {
+    constexpr int CORNER = 1 << 16, LOCKED = 1 << 17;
+    int edges = 0;
+    for_each_curve_halfedge(mesh_, v, [&](Index) { ++edges; });
+    return edges + (is_corner_[v] ? CORNER : 0) + (mesh_.is_locked(v) ? LOCKED : 0);
+  }
+
+  bool merge_source(Index h)
+  {
+    const Index a = mesh_.source(h), b = mesh_.source(mesh_.opposite(h));
+    const double shift = (std::max)(shift_[b], shift_[a] + length(mesh_.position(a) - mesh_.position(b)));
+    if (shift > tolerance_[b] || !may_go(h) || !turns_no_face(h)) return false;
+    shift_[b] = shift;
+    is_corner_[b] = is_corner_[b] || is_corner_[a];
+    mesh_.add_marks(b, mesh_.marks(a) & Remeshing_mesh::ON_FEATURE);
+    mesh_.collapse(h);
+    return true;
+  }
+
+  bool may_go(Index h) const
+  {
+    constexpr unsigned STAYS =
+      Remeshing_mesh::LOCKED | Remeshing_mesh::PINNED | Remeshing_mesh::PINCHED | Remeshing_mesh::NEXT_TO_OUTSIDE;
+    const Index a = mesh_.source(h);
+    if ((mesh_.marks(a) & STAYS) != 0) return false;
+    if (mesh_.is_border_vertex(a) && !mesh_.is_border(h >= 0 ? h : mesh_.opposite(h))) return false;
+    return mesh_.keeps_topology(h);
+  }
+
+  // Whether every face that moves with the source of h still looks to the side that it did. One without an area looks nowhere.
+  bool turns_no_face(Index h) const
+  {
+    const Index a = mesh_.source(h), b = mesh_.source(mesh_.opposite(h));
+    const Vector3 &p = mesh_.position(a), &q = mesh_.position(b);
+    return mesh_.all_around(a, [&](Index k) {
+      const Index c = mesh_.target(k), d = mesh_.apex(k);
+      if (c == b || d == b) return true;
+      const Vector3 &r = mesh_.position(c), &s = mesh_.position(d);
+      const Vector3 before = triangle_cross(p, r, s);
+      return dot(before, triangle_cross(q, r, s)) > 0 || is_degenerate(before, p, r, s);
+    });
+  }
+
+  Remeshing_mesh& mesh_;
+  std::vector<char> is_corner_;
+  std::vector<double> tolerance_;        // by vertex
+  std::vector<double> shift_;            // by vertex: how far from it the farthest was that it stands for
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_CLOSE_CURVE_VERTICES_H
