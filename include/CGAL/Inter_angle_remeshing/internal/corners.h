@@ -165,6 +165,7 @@ inline std::vector<char> find_corners(const Remeshing_mesh& mesh, double scale, 
   return is_corner;
 }
 
+// Locks them.
 inline void lock_corners(Remeshing_mesh& mesh, double scale)
 {
   const std::vector<char> is_corner = find_corners(mesh, scale);

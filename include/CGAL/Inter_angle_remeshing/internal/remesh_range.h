@@ -180,7 +180,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   const auto patches = read_patches(parameters.face_patch_map, exchange.input_faces());
   Remeshing_mesh mesh = exchange.take_mesh();
   const double scale_of_corners = kind.is_cad ? 0. : target;    // designed curves are not jagged
-  if (may_merge_curve_vertices(parameters, kind))
+  if (target > 0 && parameters.recipe.merging_distance > 0 && may_merge_curve_vertices(parameters, kind))
     Close_curve_vertices(mesh, find_corners(mesh, scale_of_corners, CHAMFER_COSINE), [&](Remeshing_mesh::Index v) {
       const double part = wanted.sizing.part_of_face(mesh.face_record(mesh.face(mesh.first(v))).source);
       return parameters.recipe.merging_distance * target * part;
