@@ -5,7 +5,8 @@
 // What CAD systems export: surfaces of revolution whose faces are as long as the part and as narrow as it curves. By default
 // with nothing marked, and by PMP with the edges over 40 degrees marked, both to a length at which so many equilateral
 // triangles have the area of the input. Then what few iterations do, and targets far finer than the facets; regular grids, flat
-// and wavy; terrains; and boxes with tiny chamfers, with and without the merging of these. Tables in Markdown.
+// and wavy; terrains; boxes with tiny chamfers, with and without the merging of these; and parts with fillets narrower than the
+// target, with these for features and without. Tables in Markdown.
 //
 //   tessellations [pairs]       the times are medians over so many pairs of runs; 5
 
@@ -164,6 +165,17 @@ std::vector<Part> parts()
           {"tube with round ends, 12", turned(tube, 12, true)}, {"tube with round ends, 64", turned(tube, 64, true)}};
 }
 
+// A disc and a stepped shaft, all of whose edges are rounded, by a radius of .05.
+std::vector<Part> parts_with_fillets(int facets)
+{
+  const auto fillet = [&](double r, double z, double from, double to) { return arc(r, z, .05, from, to, facets); };
+  const Profile disc = joined(fillet(.95, .05, -.5, 0), fillet(.95, .4, 0, .5)),
+                shaft = joined(joined(fillet(.95, .05, -.5, 0), fillet(.95, .45, 0, .5)),
+                               joined(fillet(.55, .55, 1.5, 1), fillet(.45, 1.2, 0, .5)));
+  const std::string suffix = " with fillets of " + std::to_string(facets) + " facets";
+  return {{"disc" + suffix, turned(disc, 64, false)}, {"shaft" + suffix, turned(shaft, 64, false)}};
+}
+
 void print_figures(const Mesh& input, const Mesh& output)
 {
   const auto angles = IAR::inter_angle_statistics(output);
@@ -238,4 +250,14 @@ int main(int argc, char* argv[])
       std::snprintf(name, sizeof name, "box with chamfers of %g%s", c, is_merged ? "" : ", not merged");
       compare({name, chamfered_box(c, .4)}, 800, pairs, 10, recipe);
     }
+  std::printf("\n");
+  print_head();
+  for (const int facets : {3, 8})
+    for (const std::size_t wanted : {400, 1200})
+      for (const Part& part : parts_with_fillets(facets))
+        for (const bool are_features : {true, false}) {
+          IAR::Recipe recipe;
+          if (!are_features) recipe.fillet_width = 0;
+          compare({part.name + (are_features ? "" : ", no features"), part.mesh}, wanted, pairs, 10, recipe);
+        }
 }

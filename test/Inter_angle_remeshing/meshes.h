@@ -210,6 +210,53 @@ inline Soup torus(std::size_t along, std::size_t around, double r)
   return soup;
 }
 
+// A box of these half sizes between its fillets, whose radius is r; n facets across each fillet, n² faces or more in each corner.
+inline Soup rounded_box(const std::array<double, 3>& half, double r, std::size_t n)
+{
+  Soup soup;
+  std::map<std::array<double, 3>, std::size_t> numbers;
+  const double step = 3.14159265358979323846 / 2 / double(n);
+  // Parallels from pole to pole, those of the equator twice, and four quarters of meridians.
+  std::vector<std::vector<std::size_t>> rows;
+  for(std::size_t i = 0; i < 2 * (n + 1); ++i)
+  {
+    const bool is_above = i > n;
+    const double latitude = (double(is_above ? i - 1 : i) - double(n)) * step;
+    const double radius = i == 0 || i == 2 * n + 1 ? 0 : r * std::cos(latitude);
+    rows.emplace_back();
+    for(std::size_t quarter = 0; quarter < 4; ++quarter)
+      for(std::size_t k = 0; k <= n; ++k)
+      {
+        const double longitude = double(quarter * n + k) * step;
+        const std::array<double, 3> p = {(quarter == 0 || quarter == 3 ? half[0] : -half[0]) + radius * std::cos(longitude),
+                                         (quarter < 2 ? half[1] : -half[1]) + radius * std::sin(longitude),
+                                         (is_above ? half[2] : -half[2]) + r * std::sin(latitude)};
+        const auto [place, is_new] = numbers.emplace(p, soup.points.size());
+        if(is_new)
+          soup.points.push_back(p);
+        rows.back().push_back(place->second);
+      }
+  }
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+    if(a != b && b != c && c != a)
+      soup.faces.push_back({a, b, c});
+  };
+  for(std::size_t i = 0; i + 1 < rows.size(); ++i)
+    for(std::size_t j = 0; j < rows[i].size(); ++j)
+    {
+      const std::size_t k = (j + 1) % rows[i].size();
+      add(rows[i][j], rows[i][k], rows[i + 1][k]);
+      add(rows[i][j], rows[i + 1][k], rows[i + 1][j]);
+    }
+  for(const std::size_t i : {std::size_t(0), rows.size() - 1})
+    for(const std::size_t quarter : {1, 2})
+    {
+      const std::size_t a = rows[i][0], b = rows[i][quarter * (n + 1)], c = rows[i][(quarter + 1) * (n + 1)];
+      i == 0 ? add(a, c, b) : add(a, b, c);
+    }
+  return soup;
+}
+
 // Radii and heights.
 using Profile = std::vector<std::array<double, 2>>;
 

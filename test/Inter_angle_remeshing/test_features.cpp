@@ -938,6 +938,76 @@ void tiny_chamfers_are_merged()
   CHECK(keeps_all_corners(wide, m));
 }
 
+// How far the middles of the fillets of a box, and the tips of its corners, are from a mesh; with that of the edges that
+// `rounded_box()` stands for.
+double distance_of_rounded_edges(const std::array<double, 3>& half, double r, const Mesh& m)
+{
+  Soup ridges;
+  for(std::size_t axis = 0; axis < 3; ++axis)
+    for(const int s : {-1, 1})
+      for(const int t : {-1, 1})
+      {
+        const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+        for(int k = -10; k <= 10; ++k)
+        {
+          std::array<double, 3> p{};
+          p[axis] = .1 * k * half[axis];
+          p[u] = s * (half[u] + r * std::sqrt(.5));
+          p[v] = t * (half[v] + r * std::sqrt(.5));
+          ridges.points.push_back(p);
+        }
+      }
+  std::vector<Point> points;
+  for(const auto& p : ridges.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  return PMP::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(points, m);
+}
+
+// Fillets that no face of the result can follow are as good as sharp edges, in corners, too, and whether an edge of the input lies in
+// their middle or not. Wider ones are not, nor what is round all over.
+void fillets_narrower_than_the_target_are_features()
+{
+  const std::array<double, 3> half = {1, .7, .5};
+  const double length = .4, r = .1;
+  IAR::Recipe none;
+  none.fillet_width = 0;
+  for(const std::size_t n : {4, 5, 12})
+  {
+    const Mesh input = meshes::to_mesh<Mesh>(meshes::rounded_box(half, r, n));
+    CHECK(CGAL::is_closed(input) && CGAL::is_valid_polygon_mesh(input));
+    Mesh sharp = input, serrated = input;
+    const auto report = IAR::isotropic_remeshing(length, sharp);
+    IAR::isotropic_remeshing(faces(serrated), length, serrated, IAR::recipe(none));
+    CHECK(CGAL::is_valid_polygon_mesh(sharp) && topology(sharp) == topology(input) && !does_self_intersect(sharp));
+    CHECK_MESSAGE(report.features != Features::none && report.angles_after.minimum > 30 && report.angles_after.maximum < 110,
+                  report.angles_after.minimum << " to " << report.angles_after.maximum);
+    CHECK_MESSAGE(distance_of_rounded_edges(half, r, sharp) < .08 * length, distance_of_rounded_edges(half, r, sharp));
+    CHECK_MESSAGE(distance_of_rounded_edges(half, r, serrated) > .2 * length, distance_of_rounded_edges(half, r, serrated));
+    const double hausdorff = IAR::surface_distance(input, sharp).hausdorff();
+    CHECK_MESSAGE(hausdorff < .5 * IAR::surface_distance(input, serrated).hausdorff(), hausdorff);
+
+    // The detector finds the same, and nothing at a length that resolves the fillets.
+    CHECK(found_features(input, length).size() == report.feature_edges);
+    CHECK(found_features(input, length / 2).empty() && found_features(input).empty());
+    Mesh fine = input, other = input;
+    IAR::isotropic_remeshing(length / 2, fine);
+    IAR::isotropic_remeshing(faces(other), length / 2, other, IAR::recipe(none));
+    CHECK(meshes::triangles(fine) == meshes::triangles(other));
+    CHECK(std::equal(fine.points().begin(), fine.points().end(), other.points().begin(), other.points().end()));
+  }
+
+  // A pin is round all over; the bevelled rim of a disk is as good as one edge.
+  const Mesh pin = meshes::to_mesh<Mesh>(meshes::rounded_box({0, 0, 2}, r, 6));
+  CHECK(found_features(pin, length).empty());
+  meshes::Profile rim = meshes::arc(.95, .05, .05, -.5, 0, 3);
+  rim = meshes::joined(rim, meshes::arc(.95, .4, .05, 0, .5, 3));
+  const Mesh disk = meshes::to_mesh<Mesh>(meshes::turned(rim, 64, false));
+  Mesh m = disk;
+  IAR::isotropic_remeshing(.2, m);
+  CHECK_MESSAGE(IAR::surface_distance(disk, m).hausdorff() < .03, IAR::surface_distance(disk, m).hausdorff());
+  CHECK(!does_self_intersect(m) && IAR::inter_angle_statistics(m).minimum_angle > 30);
+}
+
 // Facets of a round rim are no details: the target follows those edges only that the rim needs. (Measured: 360 and 938 faces, 424
 // and 1010 in three iterations, where its facets ruled 1024 to 2188, and equilateral ones would be 203 and 812.)
 void round_rims_are_coarsened()
@@ -1099,7 +1169,7 @@ void places_on_curves_are_found()
     }
     const Mesh m = meshes::to_mesh<Mesh>(soup);
     auto copy = internal::copy_whole_surface(m, get(CGAL::vertex_point, m), "test");
-    internal::lock_corners(copy.mesh, 0);
+    internal::lock_corners(copy.mesh, std::vector<double>(copy.mesh.number_of_vertex_slots(), 0));
     const internal::Input_curves curves(copy.mesh);
     std::size_t places = 0;
     for(internal::Remeshing_mesh::Index h = 0; h < 4 * internal::Remeshing_mesh::Index(copy.mesh.number_of_face_slots()); ++h)
@@ -1323,6 +1393,7 @@ int main()
   slits_are_no_features();
   grading_mends_small_details();
   tiny_chamfers_are_merged();
+  fillets_narrower_than_the_target_are_features();
   grading_mends_jagged_borders();
   round_rims_are_coarsened();
   coarse_results_are_still_cad_models();

@@ -258,6 +258,10 @@ void recipes_out_of_range_are_refused()
   check("grading", &IAR::Recipe::grading, -.1, true);
   check("grading", &IAR::Recipe::grading, NOT_A_NUMBER, true);
   check("grading", &IAR::Recipe::grading, 0., false);
+  for(const double bad : {-.01, 1.01, NOT_A_NUMBER})
+    check("fillet_width", &IAR::Recipe::fillet_width, bad, true);
+  check("fillet_width", &IAR::Recipe::fillet_width, 0., false);
+  check("fillet_width", &IAR::Recipe::fillet_width, 1., false);
   for(const double bad : {-.01, .11, NOT_A_NUMBER})
     check("merging_distance", &IAR::Recipe::merging_distance, bad, true);
   check("merging_distance", &IAR::Recipe::merging_distance, 0., false);

@@ -77,6 +77,10 @@ struct Recipe
   /// length: two corners, or a ring of three edges; but not where that is less than half of the input's mean edge. Protected
   /// edges do not count. It costs faces; 0 turns it off, as does a sizing field.
   double grading = 0.2;
+  /// the width of fillets, in target lengths, up to which the edges along their middle are features where features are found by
+  /// themselves, see `detect_features()`: the edges of a result would cut a narrower fillet off, and leave a serrated rim. 0: none
+  /// are, at most 1.
+  double fillet_width = 0.45;
   /// the distance, in target lengths, up to which the ends of an edge are merged before the run where both are corners of features
   /// or borders, or where it leads from one of these to another: corners that CAD systems export twice, chamfers as narrow as a
   /// rounding error. They would stay, with needles between them. The visitor is not told, and the report does not count them.
@@ -121,6 +125,7 @@ struct Recipe
     r.glide_depth = 0;
     r.multi_level = false;
     r.grading = 0;
+    r.fillet_width = 0;
     r.merging_distance = 0;
     r.clean_up = false;
     r.fits = 0;

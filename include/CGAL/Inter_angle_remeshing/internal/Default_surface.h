@@ -29,6 +29,7 @@ struct Input_kind
   Remeshing_report::Features features;
   std::size_t feature_edges;
   double saddle_excess;          // how noisy it is, see Feature_detector::saddle_excess()
+  Rounded_edges rounded_edges;   // among the features
 };
 
 // The surface's faces by the input faces that they are; negative for those of the input that it does not have.

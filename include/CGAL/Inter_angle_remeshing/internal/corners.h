@@ -109,9 +109,10 @@ inline double cosine_of_turn(const Vector3& arm, const Vector3& other_arm)
 
 // The corners, by vertex: where curves end or meet, where a constrained part of the border begins, where a curve turns, and what is
 // locked. Of several vertices at a turn that lie in the same place, one is a corner, so that the edges without length between
-// them can go. A length above 0 says that curves may be jagged: then those turns count that are turns at the scale of that
-// length, too, and the sharpest of several that are close together. A turn is one whose cosine is under the given one.
-inline std::vector<char> find_corners(const Remeshing_mesh& mesh, double scale, double corner_cosine = CORNER_COSINE)
+// them can go. A scale above 0, by vertex, says that curves may be jagged there: then those turns count that are turns at the scale
+// of that length, too, and the sharpest of several that are close together. A turn is one whose cosine is under the given one.
+inline std::vector<char> find_corners(const Remeshing_mesh& mesh, const std::vector<double>& scales,
+                                      double corner_cosine = CORNER_COSINE)
 {
   using Index = Remeshing_mesh::Index;
   std::vector<Turn> turns;
@@ -137,6 +138,7 @@ inline std::vector<char> find_corners(const Remeshing_mesh& mesh, double scale, 
     }
     if (arms[0].passes_corner || arms[1].passes_corner ||
         is_cosine_at_least(arms[0].direction, -1. * arms[1].direction, corner_cosine)) continue;
+    const double scale = scales[v];
     if (!(scale > 0)) {
       is_corner[v] = 1;
       continue;
@@ -149,6 +151,7 @@ inline std::vector<char> find_corners(const Remeshing_mesh& mesh, double scale, 
     return a.cosine != b.cosine ? a.cosine < b.cosine : a.vertex < b.vertex; });
   for (const Turn& turn : turns) {
     const Vector3& p = mesh.position(turn.vertex);
+    const double scale = scales[turn.vertex];
     bool is_left_out = false;
     for (const int k : {0, 1})
       walk_along_curve(mesh, turn.vertex, turn.neighbors[k], CORNER_DISTANCE * scale, [&](Index, Index b, double way) {
@@ -166,9 +169,9 @@ inline std::vector<char> find_corners(const Remeshing_mesh& mesh, double scale, 
 }
 
 // Locks them.
-inline void lock_corners(Remeshing_mesh& mesh, double scale)
+inline void lock_corners(Remeshing_mesh& mesh, const std::vector<double>& scales)
 {
-  const std::vector<char> is_corner = find_corners(mesh, scale);
+  const std::vector<char> is_corner = find_corners(mesh, scales);
   for (Remeshing_mesh::Index v = 0; v < Remeshing_mesh::Index(is_corner.size()); ++v)
     if (is_corner[v]) mesh.add_marks(v, Remeshing_mesh::LOCKED);
 }

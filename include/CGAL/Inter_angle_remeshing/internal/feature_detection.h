@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Feature_graph.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
+#include <CGAL/Inter_angle_remeshing/internal/rounded_edges.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -26,6 +27,13 @@
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
+
+// The features of a run: one half-edge of each, sorted; among them those of fillets.
+struct Found_features
+{
+  std::vector<Remeshing_mesh::Index> edges;
+  Rounded_edges rounded;
+};
 
 class Feature_detector
 {
@@ -63,19 +71,33 @@ public:
     found = long_chains(found, long_rims(rims, own_length_), own_length_);
     return length_ > own_length_ ? long_chains(found, long_rims(rims, length_), length_) : found;
   }
-  // The same, and the creases of a model that is no CAD model and coarse for the target length, which may be another one on every
-  // face, `target_length(f)`: the edges of a result would cut them off from both sides.
+  // What edges of a target length, which may be another one on every face, `target_length(f)`, would cut off: the same, the creases
+  // of a model that is no CAD model and coarse for the target length, and the fillets of parts, of at most so many target lengths.
   template <class Length>
-  std::vector<Index> features(const Length& target_length)
+  Found_features features(const Length& target_length, double fillet_width)
   {
-    std::vector<Index> found = features();
+    Found_features result;
+    std::vector<Index>& found = result.edges;
+    const bool may_have_fillets = fillet_width > 0 && (is_cad_ || planar_share() >= LEAST_PLANAR_SHARE);
+    std::vector<Vector3> unfiltered;
+    if (may_have_fillets && !is_cad_) unfiltered = normal_;
+    found = features();
     for (const Index h : creases_)
       if (is_coarse(h, target_length(h >> 2)) && is_coarse(mesh_.opposite(h), target_length(mesh_.opposite(h) >> 2)))
         found.push_back(h);
+    if (may_have_fillets) {
+      std::vector<double> lengths(mesh_.number_of_face_slots());
+      for (Index f = 0; f < Index(lengths.size()); ++f) lengths[f] = target_length(f);
+      Rounded_edges rounded =
+        Rounded_edge_finder(mesh_, is_cad_ ? normal_ : unfiltered, found, std::move(lengths)).find(fillet_width);
+      found.insert(found.end(), rounded.edges.begin(), rounded.edges.end());
+      if (is_cad_ || form_network(found)) result.rounded = std::move(rounded);
+      else found.resize(found.size() - rounded.edges.size());
+    }
     for (Index& h : found) h = (std::min)(h, mesh_.opposite(h));
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
+    return result;
   }
 
 private:
@@ -111,6 +133,8 @@ private:
   static constexpr std::size_t LEAST_PLANAR_FACES = 12;
   static constexpr double LEAST_PLANAR_AREA = 1, RIM_ANGLE = 60, LEAST_RIM_SHARE = 0.5, LEAST_RIM = 5;    // lengths
   static constexpr int RINGS = 2;                       // around candidates that are filtered
+  // A part without sharp edges shows in the planar part of its area.
+  static constexpr double LEAST_PLANAR_SHARE = 0.75;
 
   static double cosine_of(double degrees) { return std::cos(degrees * (CGAL_PI / 180)); }
 
@@ -184,6 +208,22 @@ private:
     for (const Index h : sharp_edges_)
       if (cosine(h) <= bound) found.push_back(h);
     return found;
+  }
+
+  // The part of the area whose faces are not the only ones in their planes.
+  double planar_share() const
+  {
+    const double planar = cosine_of(PLANAR_ANGLE);
+    double all = 0, of_polygons = 0;
+    for (Index f = 0; f < Index(area_.size()); ++f) {
+      all += area_[f];
+      for (Index h = 4 * f; h < 4 * f + 3; ++h)
+        if (mesh_.opposite(h) >= 0 && cosine(h) > planar) {
+          of_polygons += area_[f];
+          break;
+        }
+    }
+    return all > 0 ? of_polygons / all : 0.;
   }
 
   // Whether the face of h is part of a planar polygon beyond h.

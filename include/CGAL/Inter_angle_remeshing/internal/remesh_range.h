@@ -81,6 +81,8 @@ inline void check_recipe(const Recipe& recipe)
   check_not_negative(recipe.grading, "grading");
   check_not_negative(recipe.distance_tolerance, "distance_tolerance");
   check_not_negative(recipe.collapse_tolerance, "collapse_tolerance");
+  if (!(recipe.fillet_width >= 0 && recipe.fillet_width <= 1))
+    refuse(REMESHING, "Recipe::fillet_width is " + to_text(recipe.fillet_width) + "; it must lie in [0, 1]");
   if (!(recipe.merging_distance >= 0 && recipe.merging_distance <= LARGEST_MERGING_DISTANCE))
     refuse(REMESHING, "Recipe::merging_distance is " + to_text(recipe.merging_distance) + "; it must lie in [0, " +
                       to_text(LARGEST_MERGING_DISTANCE) + "]");
@@ -116,7 +118,7 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
   using Functor = std::decay_t<decltype(referred(parameters.projection_functor))>;
   constexpr bool keeps_surface = std::is_same<Functor, No_map>::value || Has_reference_surface<Functor>::value;
   using Features = Remeshing_report::Features;
-  Input_kind kind{false, false, Features::none, count_features(mesh), 0};
+  Input_kind kind{false, false, Features::none, count_features(mesh), 0, {}};
   if (kind.feature_edges > 0) kind.features = Features::marked;
   if (!keeps_surface || parameters.recipe.surface == Recipe::Surface::paper) return kind;
   Feature_detector detector(mesh, (std::max)(target.length, mean_length));
@@ -124,10 +126,11 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
   kind.saddle_excess = detector.saddle_excess();
   kind.has_found_features = parameters.constraint_settings.finds_features;
   if (!kind.has_found_features) return kind;
-  const std::vector<Remeshing_mesh::Index> found = detector.features([&](Remeshing_mesh::Index f) {
-    return target.length * target.sizing.part_of_face(mesh.face_record(f).source); });
-  for (const Remeshing_mesh::Index h : found) mark_feature(mesh, h);
-  if (!found.empty()) kind.features = kind.is_cad ? Features::all_sharp_edges : Features::outstanding_edges;
+  Found_features found = detector.features([&](Remeshing_mesh::Index f) {
+    return target.length * target.sizing.part_of_face(mesh.face_record(f).source); }, parameters.recipe.fillet_width);
+  for (const Remeshing_mesh::Index h : found.edges) mark_feature(mesh, h);
+  kind.rounded_edges = std::move(found.rounded);
+  if (!found.edges.empty()) kind.features = kind.is_cad ? Features::all_sharp_edges : Features::outstanding_edges;
   kind.feature_edges = count_features(mesh);
   return kind;
 }
@@ -140,6 +143,14 @@ bool may_merge_curve_vertices(const Parameters& parameters, const Input_kind& ki
   return parameters.may_subdivide && parameters.may_collapse_constraints && parameters.does_project && kind.has_found_features &&
          std::is_same<std::decay_t<decltype(referred(parameters.projection_functor))>, No_map>::value &&
          std::is_same<std::decay_t<decltype(parameters.face_patch_map)>, No_map>::value;
+}
+
+// Designed curves are not jagged; where the fillets of a part are joined across a corner, they are.
+inline std::vector<double> scales_of_corners(const Remeshing_mesh& mesh, const Input_kind& kind, double target)
+{
+  std::vector<double> scales(mesh.number_of_vertex_slots(), kind.is_cad ? 0. : target);
+  for (const Remeshing_mesh::Index h : kind.rounded_edges.edges) scales[mesh.origin(h)] = scales[mesh.target(h)] = target;
+  return scales;
 }
 
 // How rough noise makes the stars of a mesh with edges of the target length: the shorter these are beside the input's, the rougher.
@@ -179,13 +190,16 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   const Input_kind kind = find_and_mark_features(exchange.mesh(), wanted, mean_length, parameters);
   const auto patches = read_patches(parameters.face_patch_map, exchange.input_faces());
   Remeshing_mesh mesh = exchange.take_mesh();
-  const double scale_of_corners = kind.is_cad ? 0. : target;    // designed curves are not jagged
-  if (target > 0 && parameters.recipe.merging_distance > 0 && may_merge_curve_vertices(parameters, kind))
-    Close_curve_vertices(mesh, find_corners(mesh, scale_of_corners, CHAMFER_COSINE), [&](Remeshing_mesh::Index v) {
+  const std::vector<double> scales = scales_of_corners(mesh, kind, target);
+  if (target > 0 && parameters.recipe.merging_distance > 0 && may_merge_curve_vertices(parameters, kind)) {
+    std::vector<char> is_corner = find_corners(mesh, scales, CHAMFER_COSINE), is_joint(mesh.number_of_vertex_slots(), 0);
+    for (const Remeshing_mesh::Index v : kind.rounded_edges.joints) is_corner[v] = is_joint[v] = 1;
+    Close_curve_vertices(mesh, std::move(is_corner), [&](Remeshing_mesh::Index v) {
       const double part = wanted.sizing.part_of_face(mesh.face_record(mesh.face(mesh.first(v))).source);
-      return parameters.recipe.merging_distance * target * part;
+      return (is_joint[v] ? Rounded_edges::JOINT_LENGTH : parameters.recipe.merging_distance) * target * part;
     }).merge();
-  lock_corners(mesh, scale_of_corners);
+  }
+  lock_corners(mesh, scales);
   mesh.renumber<ConcurrencyTag>(morton_order(mesh));
   Input_curves curves(mesh);
   const bool has_small_details = wanted.sizing.is_uniform() &&
