@@ -623,8 +623,8 @@ meshes::Soup box_with_fillets(std::size_t n)
   return soup;
 }
 
-// Nothing of such a box is sharp. Its sides are large flat facets, and what curves beside them must not bend them: by the normals
-// of the small facets its volume grew by 22 to 33%.
+// Nothing of such a box is sharp, but at a length of .5 its fillets, .157 wide, are narrow enough to be features. Its sides are large
+// flat facets, and what curves beside them must not bend them: by the normals of the small facets its volume grew by 22 to 33%.
 void fillets_leave_flats_flat()
 {
   for(const std::size_t n : {2, 3})
@@ -637,7 +637,7 @@ void fillets_leave_flats_flat()
     {
       Mesh m = input;
       const IAR::Remeshing_report report = IAR::isotropic_remeshing(length, m);
-      CHECK(report.features == IAR::Remeshing_report::Features::none);
+      CHECK_MESSAGE((report.features != IAR::Remeshing_report::Features::none) == (length == .5), n << ", " << length);
       const double growth = PMP::volume(m) / PMP::volume(input) - 1;
       CHECK_MESSAGE(std::abs(growth) < .04 * length, n << ", " << length << ": " << growth);
       const double far_off = IAR::surface_distance(input, m).hausdorff();

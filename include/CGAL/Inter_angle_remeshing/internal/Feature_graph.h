@@ -59,8 +59,9 @@ public:
   }
 
   // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet. Those of animals and
-  // scans are loose, jagged, and a tangle. What leads to a free end is dropped.
-  bool is_network()
+  // scans are loose, jagged, and a tangle. What leads to a free end is dropped. Curves along fillets may bend: where these meet, paths
+  // of edges join them.
+  bool is_network(bool may_bend = false)
   {
     const double length_of_all = length_left();
     drop_trees();
@@ -71,7 +72,8 @@ public:
       bent += degree(v) == 2 && bends(v);
     }
     return length_left() >= LEAST_NETWORK_SHARE * length_of_all && inner >= LEAST_EDGES &&
-           double(bent) <= LARGEST_BENT_SHARE * double(inner) && double(others) <= LARGEST_MEETING_SHARE * double(inner + others);
+           (may_bend || double(bent) <= LARGEST_BENT_SHARE * double(inner)) &&
+           double(others) <= LARGEST_MEETING_SHARE * double(inner + others);
   }
 
   // Keeps chains that lead somewhere, in components that are long, sharp, and not a tangle, and of two chains side by side

@@ -78,6 +78,7 @@ public:
   {
     Found_features result;
     std::vector<Index>& found = result.edges;
+    constexpr bool may_bend = true;
     const bool may_have_fillets = fillet_width > 0 && (is_cad_ || planar_share() >= LEAST_PLANAR_SHARE);
     std::vector<Vector3> unfiltered;
     if (may_have_fillets && !is_cad_) unfiltered = normal_;
@@ -91,7 +92,7 @@ public:
       Rounded_edges rounded =
         Rounded_edge_finder(mesh_, is_cad_ ? normal_ : unfiltered, found, std::move(lengths)).find(fillet_width);
       found.insert(found.end(), rounded.edges.begin(), rounded.edges.end());
-      if (is_cad_ || form_network(found)) result.rounded = std::move(rounded);
+      if (is_cad_ || form_network(found, may_bend)) result.rounded = std::move(rounded);
       else found.resize(found.size() - rounded.edges.size());
     }
     for (Index& h : found) h = (std::min)(h, mesh_.opposite(h));
@@ -291,11 +292,11 @@ private:
     }
   }
 
-  bool form_network(const std::vector<Index>& edges) const
+  bool form_network(const std::vector<Index>& edges, bool may_bend = false) const
   {
     Feature_graph graph(mesh_, own_length_);
     for (const Index h : edges) graph.add(h, 0);
-    return graph.is_network();
+    return graph.is_network(may_bend);
   }
 
   // The length of these edges in components that are long beside the edges of the mesh, or beside the model.
