@@ -59,8 +59,8 @@ public:
   }
 
   // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet. Those of animals and
-  // scans are loose, jagged, and a tangle. What leads to a free end is dropped. Curves along fillets may bend: where these meet, paths
-  // of edges join them.
+  // scans are loose, jagged, and a tangle. What leads to a free end is dropped. Curves along fillets may bend: paths of edges join
+  // them where they meet.
   bool is_network(bool may_bend = false)
   {
     const double length_of_all = length_left();

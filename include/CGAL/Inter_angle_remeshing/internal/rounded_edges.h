@@ -210,7 +210,8 @@ inline double Rounded_edge_finder::imbalance(Index h, const Scale& scale)
     if (widths[k] > reach - margin || turn(n, beyond[k]) > FLAT) return none;
   }
   const double own = turn(normal(h), normal(mesh_.opposite(h))), whole = turn(beyond[0], beyond[1]);
-  if (widths[0] + widths[1] > widest || whole < LEAST_TURN || whole > scale.most_turn || turns[0] + own + turns[1] > MOST_SWAY * whole) return none;
+  if (widths[0] + widths[1] > widest || whole < LEAST_TURN || whole > scale.most_turn ||
+      turns[0] + own + turns[1] > MOST_SWAY * whole) return none;
   return (std::max)(0., std::abs(turns[0] - turns[1]) - own) / whole;
 }
 
