@@ -5,8 +5,9 @@
 // What CAD systems export: surfaces of revolution whose faces are as long as the part and as narrow as it curves. By default
 // with nothing marked, and by PMP with the edges over 40 degrees marked, both to a length at which so many equilateral
 // triangles have the area of the input. Then what few iterations do, and targets far finer than the facets; regular grids, flat
-// and wavy; terrains; boxes with tiny chamfers, with and without the merging of these; and parts with fillets narrower than the
-// target, with these for features and without. Tables in Markdown.
+// and wavy; terrains; boxes with tiny chamfers, with and without the merging of these; parts with fillets narrower than the
+// target, with these for features and without; and reliefs finer than the target, given up and kept, where nothing is marked for PMP.
+// Tables in Markdown.
 //
 //   tessellations [pairs]       the times are medians over so many pairs of runs; 5
 
@@ -26,6 +27,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
+#include <map>
 #include <random>
 #include <string>
 #include <utility>
@@ -176,6 +179,79 @@ std::vector<Part> parts_with_fillets(int facets)
   return {{"disc" + suffix, turned(disc, 64, false)}, {"shaft" + suffix, turned(shaft, 64, false)}};
 }
 
+// A ball of cubes, so many on a radius.
+Mesh ball_of_voxels(int radius)
+{
+  using Cell = std::array<int, 3>;
+  const auto is_inside = [&](const Cell& c) {
+    double sum = 0;
+    for (const int x : c) sum += (x + .5) * (x + .5);
+    return sum < double(radius) * radius;
+  };
+  Mesh mesh;
+  std::map<Cell, Mesh::Vertex_index> vertices;
+  const auto vertex = [&](const Cell& p) {
+    const auto [place, is_new] = vertices.emplace(p, Mesh::null_vertex());
+    if (is_new) place->second = mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
+    return place->second;
+  };
+  for (Cell c{-radius, -radius, -radius}; c[0] < radius; ++c[0])
+    for (c[1] = -radius; c[1] < radius; ++c[1])
+      for (c[2] = -radius; c[2] < radius; ++c[2])
+        for (int side = 0; side < 6; ++side) {
+          const int axis = side / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
+          Cell beyond = c;
+          beyond[axis] += side % 2 == 0 ? -1 : 1;
+          if (!is_inside(c) || is_inside(beyond)) continue;
+          std::array<Cell, 4> q{c, c, c, c};
+          for (Cell& corner : q) corner[axis] += side % 2;
+          ++q[side % 2 == 0 ? 3 : 1][u];
+          ++q[2][u];
+          ++q[2][v];
+          ++q[side % 2 == 0 ? 1 : 3][v];
+          mesh.add_face(vertex(q[0]), vertex(q[1]), vertex(q[2]));
+          mesh.add_face(vertex(q[0]), vertex(q[2]), vertex(q[3]));
+        }
+  return mesh;
+}
+
+// A square, twisted once around in thin layers on its way up.
+Mesh twisted_bar(int layers)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for (int k = 0; k <= layers; ++k)
+    for (int i = 0; i < 4; ++i) {
+      const double u = 2 * CGAL_PI * k / layers + CGAL_PI / 2 * i;
+      v.push_back(mesh.add_vertex(Kernel::Point_3(1.4 * std::cos(u), 1.4 * std::sin(u), 6. * k / layers)));
+    }
+  for (int k = 0; k < layers; ++k)
+    for (int i = 0; i < 4; ++i) {
+      const std::size_t a = std::size_t(4 * k + i), b = std::size_t(4 * k + (i + 1) % 4);
+      mesh.add_face(v[a], v[b], v[b + 4]);
+      mesh.add_face(v[a], v[b + 4], v[a + 4]);
+    }
+  const std::size_t top = std::size_t(4 * layers);
+  for (const std::size_t i : {1, 2}) {
+    mesh.add_face(v[0], v[i + 1], v[i]);
+    mesh.add_face(v[top], v[top + i], v[top + i + 1]);
+  }
+  return mesh;
+}
+
+std::vector<Part> parts_with_reliefs()
+{
+  Profile shaft = {{2, 0}, {2, 1}, {1, 1}}, layers = {{POLE, -1}};
+  for (int k = 0; k < 40; ++k) shaft = joined(shaft, {{.94, 1.05 + .1 * k}, {1, 1.1 + .1 * k}});
+  for (int k = 0; k < 60; ++k) {
+    const double low = -1 + k / 30., high = low + 1 / 30., r = std::sqrt(1 - (low + high) * (low + high) / 4);
+    layers = joined(layers, {{r, low}, {r, high}});
+  }
+  return {{"shaft with grooves .1 apart, 96", turned(joined(shaft, {{1, 7}}), 96, false)},
+          {"ball of layers, 120", turned(joined(layers, {{POLE, 1}}), 120, false)},
+          {"twisted bar in layers", twisted_bar(300)}, {"ball of voxels", ball_of_voxels(20)}};
+}
+
 void print_figures(const Mesh& input, const Mesh& output)
 {
   const auto angles = IAR::inter_angle_statistics(output);
@@ -191,8 +267,9 @@ void print_head()
               "|---|---|---|---|---|---|---|---|---|---|\n");
 }
 
+// For PMP, edges over `angle` degrees are marked.
 void compare(const Part& part, std::size_t wanted, std::size_t pairs, unsigned iterations = 10,
-             const IAR::Recipe& recipe = IAR::Recipe())
+             const IAR::Recipe& recipe = IAR::Recipe(), double angle = 40)
 {
   const double length = IAR::target_edge_length(faces(part.mesh), part.mesh, wanted);
   Mesh ours, theirs;
@@ -202,7 +279,7 @@ void compare(const Part& part, std::size_t wanted, std::size_t pairs, unsigned i
       IAR::isotropic_remeshing(faces(m), length, m, IAR::recipe(recipe, parameters::number_of_iterations(iterations))); });
     ratios.push_back(seconds(part.mesh, theirs, [&](Mesh& m) {
       const auto is_sharp = m.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
-      PMP::detect_sharp_edges(m, 40, is_sharp);
+      PMP::detect_sharp_edges(m, angle, is_sharp);
       PMP::isotropic_remeshing(faces(m), length, m, parameters::number_of_iterations(iterations).edge_is_constrained_map(is_sharp));
     }) / t);
   }
@@ -260,4 +337,13 @@ int main(int argc, char* argv[])
           if (!are_features) recipe.fillet_width = 0;
           compare({part.name + (are_features ? "" : ", no features"), part.mesh}, wanted, pairs, 10, recipe);
         }
+  std::printf("\n");
+  print_head();
+  for (const std::size_t wanted : {400, 1500, 6000})
+    for (const Part& part : parts_with_reliefs())
+      for (const bool is_kept : {false, true}) {
+        IAR::Recipe recipe;
+        if (is_kept) recipe.relief_density = std::numeric_limits<double>::infinity();
+        compare({part.name + (is_kept ? ", kept" : ""), part.mesh}, wanted, pairs, 10, recipe, 180);
+      }
 }

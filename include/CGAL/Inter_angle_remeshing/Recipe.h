@@ -7,6 +7,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <limits>
+
 namespace CGAL {
 namespace Inter_angle_remeshing {
 
@@ -81,6 +83,10 @@ struct Recipe
   /// themselves, see `detect_features()`: the edges of a result would cut a narrower fillet off, and leave a serrated rim. 0: none
   /// are, at most 1.
   double fillet_width = 0.45;
+  /// how densely ridges and grooves of CAD models may lie where features are found by themselves, see `detect_features()`: where a cube
+  /// of two target lengths has more than so many target lengths of each, and they are low, they are a relief that no edges of the
+  /// target length can follow, as the stairs of voxels, threads and knurls, and no features. Not negative; infinity keeps them all.
+  double relief_density = 5;
   /// the distance, in target lengths, up to which the ends of an edge are merged before the run where both are corners of features
   /// or borders, or where it leads from one of these to another: corners that CAD systems export twice, chamfers as narrow as a
   /// rounding error. They would stay, with needles between them. The visitor is not told, and the report does not count them.
@@ -126,6 +132,7 @@ struct Recipe
     r.multi_level = false;
     r.grading = 0;
     r.fillet_width = 0;
+    r.relief_density = std::numeric_limits<double>::infinity();
     r.merging_distance = 0;
     r.clean_up = false;
     r.fits = 0;

@@ -76,6 +76,11 @@ public:
            double(others) <= LARGEST_MEETING_SHARE * double(inner + others);
   }
 
+  // Takes the edges out of which the density, in the order of adding, is greater than this, and of components that mainly consist of
+  // such edges those of half of it. Then what is ragged beside them: from where edges went, on to corners, ends and junctions at a
+  // short distance, and chains that now end after a few lengths.
+  void cut_out(const std::vector<double>& density, double largest);
+
   // Keeps chains that lead somewhere, in components that are long, sharp, and not a tangle, and of two chains side by side
   // the stronger one. The creases of animals and folds of clothes end somewhere; the edges of a machine part hardly do.
   void prune()
@@ -120,6 +125,8 @@ private:
   static constexpr double ALONG = 3;                   // so many distances apart along it, parts of a chain count as two
   static constexpr double JUNCTION_RADIUS = 1.5;       // in such distances, within which chains that meet are near each other
   static constexpr double ACUTE_COSINE = 0.9063077870366499;      // 25 degrees
+  static constexpr double RAGGED_LENGTH = 1.5;         // from corner to corner
+  static constexpr double LEAST_REST = 3;              // of a chain, for each of its new ends
   static constexpr double STRIP_SHARE = 0.9;           // of a chain, along a strip
   static constexpr double MOST_TURN = 120;             // of the surface, over the strip
 
@@ -186,6 +193,7 @@ private:
   void follow(Index e, int side, Chain& chain, std::vector<char>& is_passed) const;
   void drop_dangling_chains(double least_angle);
   void drop_trees();
+  std::vector<Index> edges_up_to_corner(Index v, Index first, double distance) const;
   bool is_fit(const std::vector<Index>& component) const;
   int free_ends(const std::vector<Index>& component) const;
   bool bends(Index v) const;
@@ -266,6 +274,52 @@ inline void Feature_graph::drop_dangling_chains(double least_angle)
     if (chain.free_ends == 0) continue;
     const double l = length_of(chain.edges);
     if (l < chain.free_ends * DANGLING_LENGTH * length_ || weighted_angle(chain.edges) < least_angle * l) drop(chain.edges);
+  }
+}
+
+inline void Feature_graph::cut_out(const std::vector<double>& density, double largest)
+{
+  std::vector<char> is_cut(vertices_.size(), 0);
+  std::vector<Index> cut;
+  const auto take_out = [&](Index e) {
+    edges_[e].is_left = false;
+    for (const Index v : edges_[e].ends) {
+      is_cut[v] = 1;
+      cut.push_back(v);
+    }
+  };
+  for (const std::vector<Index>& component : components()) {
+    const double dense = std::accumulate(component.begin(), component.end(), 0., [&](double sum, Index e) {
+      return sum + (density[e] > largest ? edges_[e].length : 0); });
+    const double bound = dense > length_of(component) / 2 ? largest / 2 : largest;
+    for (const Index e : component)
+      if (density[e] > bound) take_out(e);
+  }
+  for (std::size_t i = 0; i < cut.size(); ++i)
+    if (const Index v = cut[i]; bends(v))
+      for (const Index first : incident_[v])
+        if (edges_[first].is_left)
+          for (const Index e : edges_up_to_corner(v, first, RAGGED_LENGTH * length_)) take_out(e);
+  for (const Chain& chain : chains()) {
+    const auto new_ends = std::count_if(chain.ends.begin(), chain.ends.end(), [&](Index v) {
+      return v >= 0 && is_cut[v] && degree(v) == 1; });
+    if (length_of(chain.edges) < double(new_ends) * LEAST_REST * length_) drop(chain.edges);
+  }
+}
+
+// The edges from v over `first` to the next corner, end or junction; none if it is farther away than this.
+inline std::vector<Feature_graph::Index> Feature_graph::edges_up_to_corner(Index v, Index first, double distance) const
+{
+  std::vector<Index> result;
+  double passed = 0;
+  for (Index e = first;;) {
+    result.push_back(e);
+    passed += edges_[e].length;
+    if (passed > distance) return {};
+    v = other_end(e, v);
+    if (bends(v)) return result;
+    for_each_incident(v, [&, last = e](Index k) { if (k != last) e = k; });
+    if (e == first) return result;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Feature_graph.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
+#include <CGAL/Inter_angle_remeshing/internal/fine_relief.h>
 #include <CGAL/Inter_angle_remeshing/internal/rounded_edges.h>
 
 #include <CGAL/number_type_config.h>
@@ -72,9 +73,10 @@ public:
     return length_ > own_length_ ? long_chains(found, long_rims(rims, length_), length_) : found;
   }
   // What edges of a target length, which may be another one on every face, `target_length(f)`, would cut off: the same, the creases
-  // of a model that is no CAD model and coarse for the target length, and the fillets of parts, of at most so many target lengths.
+  // of a model that is no CAD model and coarse for the target length, and the fillets of parts, of at most so many target lengths. On
+  // CAD models, without what is a relief of this density.
   template <class Length>
-  Found_features features(const Length& target_length, double fillet_width)
+  Found_features features(const Length& target_length, double fillet_width, double relief_density)
   {
     Found_features result;
     std::vector<Index>& found = result.edges;
@@ -82,19 +84,20 @@ public:
     const bool may_have_fillets = fillet_width > 0 && (is_cad_ || planar_share() >= LEAST_PLANAR_SHARE);
     std::vector<Vector3> unfiltered;
     if (may_have_fillets && !is_cad_) unfiltered = normal_;
+    std::vector<double> lengths(mesh_.number_of_face_slots());
+    for (Index f = 0; f < Index(lengths.size()); ++f) lengths[f] = target_length(f);
     found = features();
     for (const Index h : creases_)
-      if (is_coarse(h, target_length(h >> 2)) && is_coarse(mesh_.opposite(h), target_length(mesh_.opposite(h) >> 2)))
+      if (is_coarse(h, lengths[h >> 2]) && is_coarse(mesh_.opposite(h), lengths[mesh_.opposite(h) >> 2]))
         found.push_back(h);
-    if (may_have_fillets) {
-      std::vector<double> lengths(mesh_.number_of_face_slots());
-      for (Index f = 0; f < Index(lengths.size()); ++f) lengths[f] = target_length(f);
-      Rounded_edges rounded =
-        Rounded_edge_finder(mesh_, is_cad_ ? normal_ : unfiltered, found, std::move(lengths)).find(fillet_width);
-      found.insert(found.end(), rounded.edges.begin(), rounded.edges.end());
-      if (is_cad_ || form_network(found, may_bend)) result.rounded = std::move(rounded);
-      else found.resize(found.size() - rounded.edges.size());
-    }
+    Rounded_edges rounded;
+    if (may_have_fillets)
+      rounded = Rounded_edge_finder(mesh_, is_cad_ ? normal_ : unfiltered, found, lengths).find(fillet_width);
+    if (is_cad_) drop_fine_relief(found, lengths, relief_density);       // not before: what goes is no fillet either
+    const std::size_t others = found.size();
+    found.insert(found.end(), rounded.edges.begin(), rounded.edges.end());
+    if (is_cad_ || rounded.edges.empty() || form_network(found, may_bend)) result.rounded = std::move(rounded);
+    else found.resize(others);
     for (Index& h : found) h = (std::min)(h, mesh_.opposite(h));
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -337,6 +340,18 @@ private:
     for (const Index h : edges) graph.add(h, angle(h));
     graph.drop_sides_of_strips(NARROW * length_);
     return graph.edges();
+  }
+
+  // Takes out what is a relief of this density beside edges of these lengths, by face.
+  void drop_fine_relief(std::vector<Index>& edges, const std::vector<double>& lengths, double density) const
+  {
+    if (edges.empty() || std::isinf(density) || !(*std::min_element(lengths.begin(), lengths.end()) > 0)) return;
+    const std::vector<double> densities = Fine_relief(mesh_, normal_, lengths).densities(edges);
+    if (!(*std::max_element(densities.begin(), densities.end()) > density)) return;
+    Feature_graph graph(mesh_, length_);
+    for (const Index h : edges) graph.add(h, 0);
+    graph.cut_out(densities, density);
+    edges = graph.edges();
   }
 
   void add_rim_of_planar_part(Index first, std::vector<char>& is_seen, std::vector<Index>& rim) const;
