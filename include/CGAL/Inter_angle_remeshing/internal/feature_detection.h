@@ -93,7 +93,7 @@ public:
     Rounded_edges rounded;
     if (may_have_fillets)
       rounded = Rounded_edge_finder(mesh_, is_cad_ ? normal_ : unfiltered, found, lengths).find(fillet_width);
-    if (is_cad_) drop_fine_relief(found, lengths, relief_density);       // not before: what goes is no fillet either
+    if (is_cad_) drop_fine_relief(found, std::move(lengths), relief_density);       // not before: what goes is no fillet either
     const std::size_t others = found.size();
     found.insert(found.end(), rounded.edges.begin(), rounded.edges.end());
     if (is_cad_ || rounded.edges.empty() || form_network(found, may_bend)) result.rounded = std::move(rounded);
@@ -129,6 +129,9 @@ private:
   static constexpr std::size_t LEAST_NOISY_SADDLES = 100;
   static constexpr double CLEAN_SHARE = 0.035;
   static constexpr double NARROW = 0.05;                // strip, in lengths
+  // Reliefs are looked for at so many lengths from the target length down, each shorter by this factor.
+  static constexpr int RELIEF_SCALES = 9;
+  static constexpr double RELIEF_RATIO = 0.7;
   // Edges of at least this angle are creases where they make up this part of the length of all edges, and the model is coarse there
   // where they, and the altitudes of the faces over them, have so many target lengths.
   static constexpr double CREASE_ANGLE = 70, CREASE_SHARE = 0.05, COARSE = 2;
@@ -342,11 +345,17 @@ private:
     return graph.edges();
   }
 
-  // Takes out what is a relief of this density beside edges of these lengths, by face.
-  void drop_fine_relief(std::vector<Index>& edges, const std::vector<double>& lengths, double density) const
+  // Takes out what is a relief of this density beside edges of these lengths, by face. What is too fine for a length is too fine for a
+  // longer one, in whose cube a small part may lie as a whole, with normals to all sides.
+  void drop_fine_relief(std::vector<Index>& edges, std::vector<double> lengths, double density) const
   {
     if (edges.empty() || std::isinf(density) || !(*std::min_element(lengths.begin(), lengths.end()) > 0)) return;
-    const std::vector<double> densities = Fine_relief(mesh_, normal_, lengths).densities(edges);
+    std::vector<double> densities(edges.size(), 0);
+    for (int scale = 0; scale < RELIEF_SCALES; ++scale) {
+      const std::vector<double> found = Fine_relief(mesh_, normal_, lengths).densities(edges);
+      for (std::size_t i = 0; i < edges.size(); ++i) densities[i] = (std::max)(densities[i], found[i]);
+      for (double& l : lengths) l *= RELIEF_RATIO;
+    }
     if (!(*std::max_element(densities.begin(), densities.end()) > density)) return;
     Feature_graph graph(mesh_, length_);
     for (const Index h : edges) graph.add(h, 0);
