@@ -33,18 +33,14 @@ inline bool is_barrier(const Corner_table& surface, Corner_table::Index h)
   return (surface.face_record(h >> 2).edge_flags & (Remeshing_mesh::CONSTRAINED << (h & 3))) != 0;
 }
 
-// Looks at the faces around the origin of h, as far as no barrier is in between. The origin is the closest point of f: only a face
-// with an edge that leads from there towards q can have a nearer one.
+// Looks at the faces around the origin of h, as far as no barrier is in between.
 template <class Surface>
 bool walk_around_vertex(const Surface& surface, const Vector3& q, Corner_table::Index h, Corner_table::Index& f,
                         Point_on_triangle& best, double& distance)
 {
   using Index = Corner_table::Index;
-  const Vector3 p = surface.position(surface.origin(h)), way = q - p;
-  const auto leads_nearer = [&](Index v) { return dot(surface.position(v) - p, way) > 0; };
   bool is_nearer = false;
   const auto look_at = [&](Index k) {
-    if (!leads_nearer(surface.target(k)) && !leads_nearer(surface.apex(k))) return;
     const Point_on_triangle c = closest_point_on_face(surface, q, surface.face(k));
     const double d = squared_distance(q, c.point);
     if (d < distance * NEARER) {
@@ -82,8 +78,6 @@ Point_on_triangle walk_to_closest_point(const Surface& surface, const Vector3& q
     if (part <= int(Triangle_part::edge_ca)) {
       const Index h = 4 * f + part - int(Triangle_part::edge_ab), across = surface.opposite(h);
       if (across < 0 || is_barrier(surface, h)) break;
-      // q lies straight over the edge: the face across is nearer if the way to its far corner leads towards q.
-      if (!(dot(surface.position(surface.apex(across)) - best.point, q - best.point) > 0)) break;
       const Point_on_triangle c = closest_point_on_face(surface, q, surface.face(across));
       const double d = squared_distance(q, c.point);
       if (!(d < distance * NEARER)) break;
