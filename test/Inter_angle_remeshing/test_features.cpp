@@ -1390,19 +1390,15 @@ void folded_slivers_are_no_features()
 
 // A coarse organic model has creases. They are no features at its own length, but where it is refined: cut off from both sides
 // there, the sides run through each other.
-// Where the two sides of a thin part are near each other, a run may keep a few crossings: of some models, which differ by a few faces, no
-// more than one does.
 void coarse_models_keep_their_creases()
 {
   using Case = std::tuple<const char*, std::size_t, std::size_t>;
-  std::size_t crossing = 0, out_with = 0, out_without = 0;
-  for(const auto& [name, coarse, fine] : {Case{"triceratops", 142, 8000}, Case{"triceratops", 150, 8000}, Case{"triceratops", 160, 8000},
-                                          Case{"elephant", 278, 20000}, Case{"elephant", 314, 20000}})
+  for(const auto& [name, coarse, fine] : {Case{"triceratops", 150, 8000}, Case{"elephant", 300, 20000}})
   {
     Mesh m = read(name);
     const auto of_itself = IAR::isotropic_remeshing(IAR::Face_count(coarse), m);
     m.collect_garbage();
-    CHECK_MESSAGE(of_itself.features == Features::none && !does_self_intersect(m), name << " of " << coarse);
+    CHECK(of_itself.features == Features::none && !does_self_intersect(m));
     CHECK_MESSAGE(found_features(m).empty(), name);
 
     Mesh with = m, without = m, smoothed = m;
@@ -1411,18 +1407,16 @@ void coarse_models_keep_their_creases()
     CHECK_MESSAGE(IAR::isotropic_remeshing(0., smoothed, parameters::number_of_iterations(1)).features == Features::none, name);
     CHECK_MESSAGE(report.features == Features::outstanding_edges && report.feature_edges > 20,
                   name << ": " << report.feature_edges);
-    crossing += does_self_intersect(with);
+    CHECK_MESSAGE(!does_self_intersect(with), name);
     CHECK_MESSAGE(report.number_of_faces_out_of_band < 10, name << ": " << report.number_of_faces_out_of_band);
     const auto rounded = IAR::isotropic_remeshing(IAR::Face_count(fine), without, parameters::sharpness_angle(180));
     CHECK_MESSAGE(IAR::surface_distance(m, with).mean() < .9 * IAR::surface_distance(m, without).mean(), name);
-    CHECK_MESSAGE(rounded.are_crossing_faces_known || rounded.number_of_faces_out_of_band == 0, name);
-    out_with += report.number_of_faces_out_of_band;
-    out_without += rounded.number_of_faces_out_of_band;
+    CHECK_MESSAGE(5 * report.number_of_faces_out_of_band < rounded.number_of_faces_out_of_band,
+                  name << ": " << report.number_of_faces_out_of_band << ", without " << rounded.number_of_faces_out_of_band);
+    CHECK_MESSAGE(rounded.are_crossing_faces_known, name);     // as faces are out of their bands
     if(meshes::is_small_run())
       break;
   }
-  CHECK_MESSAGE(crossing <= 1, crossing);
-  CHECK_MESSAGE(meshes::is_small_run() || 10 * out_with < out_without, out_with << ", without " << out_without);
 }
 
 int main()
