@@ -129,7 +129,8 @@ private:
   static constexpr std::size_t LEAST_NOISY_SADDLES = 100;
   static constexpr double CLEAN_SHARE = 0.035;
   static constexpr double NARROW = 0.05;                // strip, in lengths
-  // Reliefs are looked for at so many lengths from the target length down, each shorter by this factor.
+  // Reliefs are looked for at so many lengths from the target length down, each shorter by this factor: halves leap over the few
+  // lengths that are long beside a thread's height and short beside the screw.
   static constexpr int RELIEF_SCALES = 9;
   static constexpr double RELIEF_RATIO = 0.7;
   // Edges of at least this angle are creases where they make up this part of the length of all edges, and the model is coarse there

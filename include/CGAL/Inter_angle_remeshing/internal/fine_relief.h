@@ -50,9 +50,6 @@ public:
     return result;
   }
 
-  // The target length at an edge: that of its faces, or what is less.
-  double target_length(Index h) const { return (std::min)(target_length_[h >> 2], target_length_[mesh_.opposite(h) >> 2]); }
-
 private:
   // Cells have this part of a target length: three of them are the cube.
   static constexpr double CELL = 2. / 3;
@@ -110,6 +107,8 @@ private:
                     std::int64_t(std::floor(inverse * p.z))}};
   }
 
+  // The target length at an edge: that of its faces, or what is less.
+  double target_length(Index h) const { return (std::min)(target_length_[h >> 2], target_length_[mesh_.opposite(h) >> 2]); }
   // A relief goes on to both sides: its end is none.
   bool is_between_narrow_faces(Index h) const { return is_narrow(h) && is_narrow(mesh_.opposite(h)); }
   bool is_narrow(Index h) const { return altitude(h) < target_length_[h >> 2]; }

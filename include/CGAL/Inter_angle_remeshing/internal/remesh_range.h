@@ -128,7 +128,8 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
   kind.has_found_features = parameters.constraint_settings.finds_features;
   if (!kind.has_found_features) return kind;
   Found_features found = detector.features([&](Remeshing_mesh::Index f) {
-    return target.length * target.sizing.part_of_face(mesh.face_record(f).source); }, parameters.recipe.fillet_width, parameters.recipe.relief_density);
+    return target.length * target.sizing.part_of_face(mesh.face_record(f).source); },
+    parameters.recipe.fillet_width, parameters.recipe.relief_density);
   for (const Remeshing_mesh::Index h : found.edges) mark_feature(mesh, h);
   kind.rounded_edges = std::move(found.rounded);
   if (!found.edges.empty()) kind.features = kind.is_cad ? Features::all_sharp_edges : Features::outstanding_edges;
