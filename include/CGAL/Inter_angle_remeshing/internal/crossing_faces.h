@@ -202,7 +202,7 @@ private:
     for (std::size_t i = 0; i < n; ++i)
       if (!is_cosine_at_least(normals_[entry[i]], normal, SHEET_COSINE)) return false;
     std::array<Index, LARGEST_SHEET> waiting;
-    Vertex_set met;
+    Vertex_set met(n);
     met.insert(corners(entry[0]));
     std::size_t left = n - 1;
     std::copy(entry + 1, entry + n, waiting.begin());
@@ -221,11 +221,15 @@ private:
   bool is_on_border(Index f) const { return mesh_.is_border(4 * f) || mesh_.is_border(4 * f + 1) || mesh_.is_border(4 * f + 2); }
   const Index* corners(Index i) const { return mesh_.face_record(faces_[i]).vertex; }
 
-  // Of the corners of a sheet: a table with open addressing.
+  // Of the corners of a sheet of so many faces: a table with open addressing.
   class Vertex_set
   {
   public:
-    Vertex_set() { slots_.fill(-1); }
+    explicit Vertex_set(std::size_t faces)
+    {
+      while (size_ <= 3 * faces) size_ *= 2;
+      std::fill_n(slots_.begin(), size_, -1);
+    }
     void insert(const Index* corner) { for (int k = 0; k < 3; ++k) slots_[find(corner[k])] = corner[k]; }
     bool has_one_of(const Index* corner) const
     {
@@ -233,16 +237,17 @@ private:
     }
 
   private:
-    static constexpr std::size_t SIZE = 256;
-    static_assert(SIZE > 3 * LARGEST_SHEET, "the table has room for all corners");
+    static constexpr std::size_t LARGEST_SIZE = 256;
+    static_assert(LARGEST_SIZE > 3 * LARGEST_SHEET, "the table has room for all corners");
 
     std::size_t find(Index v) const
     {
-      std::size_t i = std::size_t(v) % SIZE;
-      while (slots_[i] >= 0 && slots_[i] != v) i = (i + 1) % SIZE;
+      std::size_t i = std::size_t(v) & (size_ - 1);
+      while (slots_[i] >= 0 && slots_[i] != v) i = (i + 1) & (size_ - 1);
       return i;
     }
-    std::array<Index, SIZE> slots_;
+    std::size_t size_ = 8;               // of what is used: a power of two
+    std::array<Index, LARGEST_SIZE> slots_;
   };
 
   const Surface& mesh_;

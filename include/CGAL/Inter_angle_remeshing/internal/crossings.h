@@ -129,14 +129,16 @@ inline double crossing_length(const Remeshing_mesh& mesh, Remeshing_mesh::Index 
   return result;
 }
 
-// The faces that may cross one of `faces`, and some others.
+// The faces that may cross one of `faces`, and some others; adds to `looks` how many faces it took to find them.
 inline std::vector<Remeshing_mesh::Index> faces_near(const Remeshing_mesh& mesh, Face_grid& grid,
-                                                     const std::vector<Remeshing_mesh::Index>& faces, Visit_marks& marks)
+                                                     const std::vector<Remeshing_mesh::Index>& faces, Visit_marks& marks,
+                                                     std::size_t& looks)
 {
   CGAL::Bbox_3 all;
   for (const Remeshing_mesh::Index f : faces) all += bounding_box(mesh, f);
   std::vector<Remeshing_mesh::Index> result;
   grid.for_each_near({all.xmin(), all.ymin(), all.zmin()}, {all.xmax(), all.ymax(), all.zmax()}, marks, [&](Remeshing_mesh::Index f) {
+    ++looks;
     if (CGAL::do_overlap(bounding_box(mesh, f), all)) result.push_back(f);
     return true;
   });
@@ -166,12 +168,12 @@ void for_each_crossing(const Remeshing_mesh& mesh, const std::vector<Remeshing_m
   }
 }
 
-// Whether one of `faces` crosses another face.
+// Whether one of `faces` crosses another face; adds to `looks` as faces_near() does.
 inline bool are_crossed(const Remeshing_mesh& mesh, Face_grid& grid, const std::vector<Remeshing_mesh::Index>& faces,
-                        Visit_marks& marks)
+                        Visit_marks& marks, std::size_t& looks)
 {
   bool result = false;
-  for_each_crossing(mesh, faces, faces_near(mesh, grid, faces, marks), [&](Remeshing_mesh::Index, Remeshing_mesh::Index) {
+  for_each_crossing(mesh, faces, faces_near(mesh, grid, faces, marks, looks), [&](Remeshing_mesh::Index, Remeshing_mesh::Index) {
     result = true;
     return false;
   });

@@ -72,7 +72,7 @@ class Distance_reducer
 public:
   explicit Distance_reducer(Remeshing_context& context)
     : context_(context), mesh_(context.mesh), samples_(context), grid_(context.mesh, context.largest_length()),
-      bands_(context.recipe), descent_(context),
+      bands_(context.recipe), descent_(context), leaving_(context),
       most_trials_(LEAST_TRIALS + mesh_.number_of_live_faces() / FACES_PER_TRIAL)
   {}
 
@@ -191,11 +191,12 @@ private:
   }
 
   // What is too far away, in target lengths, and what is out of the band or folded.
-  double score(const Patch& patch, const Distances& distances) const
+  double score(const Patch& patch, const Distances& distances)
   {
+    leaving_.start();
     double result = std::sqrt(std::sqrt(distances.excess)) / samples_.length();
     for (const Index f : patch.faces)
-      if (const double v = violation(context_, bands_, f); v > 0) result += DEGREE * (v + TOUCH);
+      if (const double v = violation(mesh_, bands_, f, leaving_); v > 0) result += DEGREE * (v + TOUCH);
     return result;
   }
 
@@ -290,7 +291,7 @@ private:
       if (!apply(trial, spot, patch, false)) continue;
       const Distances after = move_by_least_squares(patch, trial.kind == Kind::move ? before : measure(patch));
       const double s = score(patch, after);
-      const bool is_better = s < best_score && !are_crossed(mesh_, grid_, patch.faces, marks_);
+      const bool is_better = s < best_score && !are_crossed(mesh_, grid_, patch.faces, marks_, looks_);
       if (is_better) rest = {after.largest, found.length, after.farthest, {}};
       if (is_better) outcome = after.largest < ACCEPTED * samples_.tolerance() ? Outcome::mended : Outcome::bettered;
       if (outcome == Outcome::mended && (!context_.visitor.listens() || trial.kind != Kind::split)) return outcome;
@@ -315,10 +316,11 @@ private:
   Face_grid grid_;
   Angle_bands bands_;
   Angle_descent descent_;
+  Leaving_faces leaving_;
   Mesh_snapshot before_, best_;          // a trial, and after the best one without a split
   Visit_marks marks_, vertices_;
   std::vector<int> slot_;                // by vertex: its number in the patch that is measured
-  std::size_t most_trials_, trials_ = 0;
+  std::size_t most_trials_, trials_ = 0, looks_ = 0;
 };
 
 // Returns the number of spots where something was changed.

@@ -74,15 +74,15 @@ inline double mean_edge_length(const Remeshing_mesh& mesh)
 template <class Target>
 double longest_edge_in_targets(const Remeshing_mesh& mesh, const Target& target)
 {
-  double longest = 0;
+  double longest = 0;                    // squared
   for (std::size_t f = 0; f < mesh.number_of_face_slots(); ++f)
     if (mesh.is_face(Remeshing_mesh::Index(f)))
       for (int k = 0; k < 3; ++k) {
         const Remeshing_mesh::Index h = Remeshing_mesh::Index(4 * f + k);
-        if (mesh.is_split_legal(h))
-          longest = (std::max)(longest, std::sqrt(mesh.squared_edge_length(h)) / target(mesh.origin(h), mesh.target(h)));
+        const double unit = target(mesh.origin(h), mesh.target(h)), length = mesh.squared_edge_length(h) / (unit * unit);
+        if (length > longest && mesh.is_split_legal(h)) longest = length;
       }
-  return longest;
+  return std::sqrt(longest);
 }
 
 } // namespace internal

@@ -7,11 +7,14 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/angle_bands.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh_regions.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 // Faces that fold over their neighbors where the surface does not.
 
@@ -51,11 +54,11 @@ inline bool leaves_surface(const Remeshing_context& context, Remeshing_mesh::Ind
   return turns_away_from(nearest.normal) && turns_away_from(context.projector.surface->cross_product(facet));
 }
 
-// By how much face f folds over one of its neighbors, in degrees; not positive where it does not.
-inline double fold_violation(const Remeshing_context& context, Remeshing_mesh::Index f)
+// By how much face f folds over one of its neighbors, in degrees; not positive where it does not. `leaves(face)` is leaves_surface().
+template <class Leaves>
+double fold_violation(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, Leaves& leaves)
 {
   using Index = Remeshing_mesh::Index;
-  const Remeshing_mesh& mesh = context.mesh;
   const Vector3 n = cross_product(mesh, f);
   double least = 1;
   for (Index h = 4 * f; h < 4 * f + 3; ++h) {
@@ -65,12 +68,49 @@ inline double fold_violation(const Remeshing_context& context, Remeshing_mesh::I
     const double product = dot(n, m);
     if (product >= 0) continue;
     const double cosine = product / std::sqrt(squared_length(n) * squared_length(m));
-    if (cosine < (std::min)(least, FOLD_COSINE) && (leaves_surface(context, f) || leaves_surface(context, g))) least = cosine;
+    if (cosine < (std::min)(least, FOLD_COSINE) && (leaves(f) || leaves(g))) least = cosine;
   }
   return DEGREES_OF_FOLD * (FOLD_COSINE - least);
 }
 
+inline double fold_violation(const Remeshing_context& context, Remeshing_mesh::Index f)
+{
+  const auto leaves = [&](Remeshing_mesh::Index g) { return leaves_surface(context, g); };
+  return fold_violation(context.mesh, f, leaves);
+}
+
+// What leaves_surface() says, each face asked for once.
+class Leaving_faces
+{
+public:
+  explicit Leaving_faces(const Remeshing_context& context)
+    : context_(context)
+  {}
+
+  // The mesh has changed.
+  void start()
+  {
+    known_.start(context_.mesh.number_of_face_slots());
+    if (leaves_.size() < context_.mesh.number_of_face_slots()) leaves_.resize(context_.mesh.number_of_face_slots());
+  }
+  bool operator()(Remeshing_mesh::Index f)
+  {
+    if (known_.visit(std::size_t(f))) leaves_[f] = leaves_surface(context_, f);
+    return leaves_[f] != 0;
+  }
+
+private:
+  const Remeshing_context& context_;
+  Visit_marks known_;
+  std::vector<char> leaves_;
+};
+
 // How far face f is out of its band, or folded, in degrees; not positive where it is neither.
+template <class Leaves>
+double violation(const Remeshing_mesh& mesh, const Angle_bands& bands, Remeshing_mesh::Index f, Leaves& leaves)
+{
+  return (std::max)(angle_violation(mesh, bands, f), fold_violation(mesh, f, leaves));
+}
 inline double violation(const Remeshing_context& context, const Angle_bands& bands, Remeshing_mesh::Index f)
 {
   return (std::max)(angle_violation(context.mesh, bands, f), fold_violation(context, f));

@@ -51,6 +51,9 @@ class Repairer
   static constexpr std::size_t LEAST_TRIALS = 100, TRIALS_PER_BAD_FACE = 10, FACES_PER_TRIAL = 40;
   // Where faces cross, so many times as many, for they are few, and hardly any finalists; where the surface does, too, no more.
   static constexpr std::size_t CROSSING_TRIALS = 6, CROSSING_FINALISTS = 2;
+  // There the pass ends, too, after so many looks at what may be near for every face, and for so many more: where sheets lie on each
+  // other by the dozen, thousands are near each.
+  static constexpr std::size_t LOOKS_PER_FACE = 1000, FURTHER_FACES = 1000;
   // Operations at vertices with hundreds of edges would take too long to try.
   static constexpr std::size_t LARGEST_REGION = 100;
   // Squared lengths, in those of the target, up to which edges are collapsed and from which they are split here.
@@ -96,7 +99,7 @@ class Repairer
 public:
   Repairer(Remeshing_context& context, std::size_t input_faces)
     : context_(context), mesh_(context.mesh), input_faces_(input_faces), bands_(context.recipe), descent_(context),
-      limits_{LONGEST * squared(context.target_length), squared(TOLERANCE * context.target_length), MAXIMUM_MERGED_VALENCE}
+      leaving_(context), limits_{LONGEST * squared(context.target_length), squared(TOLERANCE * context.target_length), MAXIMUM_MERGED_VALENCE}
   {}
 
   // Returns the number of operations. A further run looks at what has become bad since; what was given up stays so, and the
@@ -173,7 +176,9 @@ private:
       const char level = round_ == 0 ? 1 : 2;
       const std::size_t operations_before = operations;
       for (const Index f : bad.faces) {
-        if (!mesh_.is_face(f) || given_up(f) >= level || !is_bad(f) || trials() > most_trials()) continue;
+        if (!mesh_.is_face(f) || given_up(f) >= level) continue;
+        fault_ = fault_of(f);
+        if (trials() > most_trials() || has_looked_enough() || !is_bad(f)) continue;
         if (const Operation best = best_operation(f); best.kind != Kind::none) {
           commit(best);
           ++operations;
@@ -190,16 +195,15 @@ private:
   std::size_t& trials() { return trials_[std::size_t(fault_)]; }
   std::size_t most_trials() const { return fault_ == Fault::crossing ? CROSSING_TRIALS * most_trials_ : most_trials_; }
 
-  // Whether face f has a fault, and of the kind that is looked for.
-  bool is_bad(Index f)
+  // What face f has, if it has a fault of those that are looked for.
+  Fault fault_of(Index f) const
   {
-    if (is_at_crossing()) {
-      fault_ = is_inherited(f) ? Fault::inherited_crossing : Fault::crossing;
-      return are_crossed(mesh_, *grid_, {f}, marks_);
-    }
-    fault_ = fold_violation(context_, f) > 0 ? Fault::fold : Fault::angle;
-    return violation(f) > 0;
+    if (is_at_crossing()) return is_inherited(f) ? Fault::inherited_crossing : Fault::crossing;
+    return fold_violation(context_, f) > 0 ? Fault::fold : Fault::angle;
   }
+  bool is_bad(Index f) { return is_at_crossing() ? are_crossed(mesh_, *grid_, {f}, marks_, looks_) : violation(f) > 0; }
+
+  bool has_looked_enough() const { return looks_ > LOOKS_PER_FACE * (mesh_.number_of_live_faces() + FURTHER_FACES); }
 
   // Where the surface crosses itself: corners of its faces that do, in units of the mesh, of those close together one.
   struct Places
@@ -293,12 +297,13 @@ private:
   }
 
   // How bad these faces are.
-  double score(const std::vector<Index>& faces) const
+  double score(const std::vector<Index>& faces)
   {
     double sum = 0;
+    leaving_.start();
     if (is_at_crossing()) for_each_crossing_near(faces, [&](Index f, Index g) { sum += score_of_crossing(f, g); });
     for (const Index f : faces)
-      if (mesh_.is_face(f)) sum += score_of_violation(violation(f));
+      if (mesh_.is_face(f)) sum += score_of_violation(internal::violation(mesh_, bands_, f, leaving_));
     return sum;
   }
 
@@ -342,7 +347,7 @@ private:
     if (!is_at_crossing()) return;
     const auto& corner = mesh_.face_record(f).vertex;
     const std::vector<Index> within_reach = faces_around(mesh_, ball(mesh_, {corner[0], corner[1], corner[2]}, REACH, marks_));
-    near_ = faces_near(mesh_, *grid_, within_reach, marks_);
+    near_ = faces_near(mesh_, *grid_, within_reach, marks_, looks_);
     for_each_crossing_near(within_reach, [&](Index g, Index other) {
       crossings_before_.push_back({g, other, score_of_crossing(g, other)}); });
   }
@@ -487,11 +492,13 @@ private:
   std::size_t input_faces_;
   Angle_bands bands_;
   Angle_descent descent_;
+  Leaving_faces leaving_;
   Collapse_limits limits_;
   Mesh_snapshot snapshot_;
   std::optional<Places> places_of_surface_;    // for crossings
   std::optional<Face_grid> grid_;
   std::vector<Index> near_;              // the faces that may cross those around the face at hand
+  std::size_t looks_ = 0;                // at faces that may be near others
   std::vector<Crossing> crossings_before_;     // of the faces around the face at hand
   std::vector<double> score_before_;     // by face; without crossings
   Visit_marks is_scored_;                // whether that is known
