@@ -15,6 +15,7 @@
 #include <CGAL/Inter_angle_remeshing/surface_distance.h>
 #include <CGAL/Inter_angle_remeshing/triangle_quality.h>
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
@@ -453,6 +454,35 @@ void small_crossings_of_the_input_are_parted()
     crossing_without += number_of_crossing_faces(without);
   }
   CHECK_MESSAGE(3 * crossing < crossing_without || meshes::is_small_run(), crossing << " of " << crossing_without);
+}
+
+// Hundreds of boxes, side by side: each side lies on another one, and at a coarse target each face has thousands near it. Nothing can
+// be done about that; each stays a closed box with its corners, and the search for something to do ends.
+void boxes_that_touch_each_other_stay_boxes()
+{
+  const int n = meshes::is_small_run() ? 3 : 8;
+  const meshes::Soup box = meshes::cube(1);
+  meshes::Soup boxes;
+  for(int i = 0; i < n * n * n; ++i)
+    boxes = boxes.joined_with(box.moved(i % n, i / n % n, i / (n * n)));
+  for(const double length : {0.5, 5.})
+  {
+    Mesh m = meshes::to_mesh<Mesh>(boxes);
+    const auto report = IAR::isotropic_remeshing(length, m);
+    CHECK(report.are_crossing_faces_known && m.is_valid() && CGAL::is_closed(m));
+    auto component = m.add_property_map<Face, std::size_t>("f:component").first;
+    CHECK(PMP::connected_components(m, component) == std::size_t(n * n * n));
+    std::multiset<Point> points;
+    for(const Vertex v : m.vertices())
+      points.insert(m.point(v));
+    for(const auto& p : boxes.points)
+    {
+      const auto found = points.find(Point(p[0], p[1], p[2]));
+      CHECK_MESSAGE(found != points.end(), p[0] << ' ' << p[1] << ' ' << p[2] << " at " << length);
+      if(found != points.end())
+        points.erase(found);
+    }
+  }
 }
 
 // A grid whose edges are neither too long nor too short, and all of whose vertices are regular, is no better for that: its angles
@@ -1218,6 +1248,7 @@ int main(int argc, char* argv[])
   large_distances_are_lowered();
   crossing_faces_are_parted();
   small_crossings_of_the_input_are_parted();
+  boxes_that_touch_each_other_stay_boxes();
   regular_grids_are_stirred_up();
   apexes_of_coarse_cones_stay();
   tips_are_not_worn_off_by_what_mends_angles();

@@ -52,8 +52,8 @@ class Far_spot_finder
   static constexpr double SHARP_COSINE = 0.6;
   // The surface around them is sampled within this many target lengths.
   static constexpr double REACH = 1.2;
-  // Spots that are nearer to each other than this are one.
-  static constexpr double SPOT_DISTANCE = 1.5;
+  // Spots that are nearer to each other than this are one; and what is that near to one that is none is none, either.
+  static constexpr double SPOT_DISTANCE = 1.5, REJECTED_DISTANCE = 0.25;
   // A face of the surface is sampled beyond its corners where one of these is off by this part of the tolerance.
   static constexpr double SUSPICIOUS = 0.5;
 
@@ -72,9 +72,14 @@ public:
     std::stable_sort(found.begin(), found.end(), [](const Spot& a, const Spot& b) {
       return a.distance / a.length > b.distance / b.length; });
     std::vector<Spot> result;
-    Point_grid accepted(SPOT_DISTANCE * context_.largest_length());
+    Point_grid accepted(SPOT_DISTANCE * context_.largest_length()), rejected(REJECTED_DISTANCE * context_.largest_length());
     for (const Spot& spot : found) {
-      if (accepted.has_near(spot.sample.point, SPOT_DISTANCE * spot.length) || is_near_elsewhere(spot)) continue;
+      if (accepted.has_near(spot.sample.point, SPOT_DISTANCE * spot.length) ||
+          rejected.has_near(spot.sample.point, REJECTED_DISTANCE * spot.length)) continue;
+      if (is_near_elsewhere(spot)) {
+        rejected.insert(spot.sample.point);
+        continue;
+      }
       accepted.insert(spot.sample.point);
       result.push_back(spot);
       if (result.size() == most) break;
