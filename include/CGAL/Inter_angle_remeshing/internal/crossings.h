@@ -180,6 +180,13 @@ inline bool are_crossed(const Remeshing_mesh& mesh, Face_grid& grid, const std::
   return result;
 }
 
+inline bool are_crossed(const Remeshing_mesh& mesh, Face_grid& grid, const std::vector<Remeshing_mesh::Index>& faces,
+                        Visit_marks& marks)
+{
+  std::size_t looks = 0;
+  return are_crossed(mesh, grid, faces, marks, looks);
+}
+
 } // namespace internal
 } // namespace Inter_angle_remeshing
 } // namespace CGAL

@@ -291,7 +291,7 @@ private:
       if (!apply(trial, spot, patch, false)) continue;
       const Distances after = move_by_least_squares(patch, trial.kind == Kind::move ? before : measure(patch));
       const double s = score(patch, after);
-      const bool is_better = s < best_score && !are_crossed(mesh_, grid_, patch.faces, marks_, looks_);
+      const bool is_better = s < best_score && !are_crossed(mesh_, grid_, patch.faces, marks_);
       if (is_better) rest = {after.largest, found.length, after.farthest, {}};
       if (is_better) outcome = after.largest < ACCEPTED * samples_.tolerance() ? Outcome::mended : Outcome::bettered;
       if (outcome == Outcome::mended && (!context_.visitor.listens() || trial.kind != Kind::split)) return outcome;
@@ -320,7 +320,7 @@ private:
   Mesh_snapshot before_, best_;          // a trial, and after the best one without a split
   Visit_marks marks_, vertices_;
   std::vector<int> slot_;                // by vertex: its number in the patch that is measured
-  std::size_t most_trials_, trials_ = 0, looks_ = 0;
+  std::size_t most_trials_, trials_ = 0;
 };
 
 // Returns the number of spots where something was changed.

@@ -51,9 +51,9 @@ class Repairer
   static constexpr std::size_t LEAST_TRIALS = 100, TRIALS_PER_BAD_FACE = 10, FACES_PER_TRIAL = 40;
   // Where faces cross, so many times as many, for they are few, and hardly any finalists; where the surface does, too, no more.
   static constexpr std::size_t CROSSING_TRIALS = 6, CROSSING_FINALISTS = 2;
-  // There the pass ends, too, after so many looks at what may be near for every face, and for so many more: where sheets lie on each
-  // other by the dozen, thousands are near each.
-  static constexpr std::size_t LOOKS_PER_FACE = 1000, FURTHER_FACES = 1000;
+  // There the pass ends, too, after so many looks at what may be near for every face, and for so many more. Where sheets lie on each
+  // other by the dozen, thousands are near each; the meshes of CGAL take at most 16.
+  static constexpr std::size_t LOOKS_PER_FACE = 100, FURTHER_FACES = 1000;
   // Operations at vertices with hundreds of edges would take too long to try.
   static constexpr std::size_t LARGEST_REGION = 100;
   // Squared lengths, in those of the target, up to which edges are collapsed and from which they are split here.
@@ -99,7 +99,8 @@ class Repairer
 public:
   Repairer(Remeshing_context& context, std::size_t input_faces)
     : context_(context), mesh_(context.mesh), input_faces_(input_faces), bands_(context.recipe), descent_(context),
-      leaving_(context), limits_{LONGEST * squared(context.target_length), squared(TOLERANCE * context.target_length), MAXIMUM_MERGED_VALENCE}
+      leaving_(context),
+      limits_{LONGEST * squared(context.target_length), squared(TOLERANCE * context.target_length), MAXIMUM_MERGED_VALENCE}
   {}
 
   // Returns the number of operations. A further run looks at what has become bad since; what was given up stays so, and the
