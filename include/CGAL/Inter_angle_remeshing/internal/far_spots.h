@@ -52,7 +52,8 @@ class Far_spot_finder
   static constexpr double SHARP_COSINE = 0.6;
   // The surface around them is sampled within this many target lengths.
   static constexpr double REACH = 1.2;
-  // Spots that are nearer to each other than this are one; and what is that near to one that is none is none, either.
+  // Spots that are nearer to each other than this are one; and what is that near to one that is none is none, either, which of 460 runs
+  // changes 7.
   static constexpr double SPOT_DISTANCE = 1.5, REJECTED_DISTANCE = 0.25;
   // A face of the surface is sampled beyond its corners where one of these is off by this part of the tolerance.
   static constexpr double SUSPICIOUS = 0.5;
