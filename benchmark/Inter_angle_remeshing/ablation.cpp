@@ -6,7 +6,7 @@
 // remeshing, as a table in Markdown.
 //
 //   ablation [mesh ...]        (elephant, armadillo and bunny00 of CGAL's data where none is given)
-//   ablation steps             what each step of a run is worth, on ten models at their mean edge length
+//   ablation steps [factor]    what each step of a run is worth, on ten models at so many times their mean edge length (1)
 //
 // A change of the target length by a percent changes a figure by more than some rules do: every row is the mean over
 // seven target lengths, from .94 to 1.06 of the mesh's mean edge length; the angles are the extremes over all of them.
@@ -34,7 +34,7 @@ namespace {
 
 struct Row
 {
-  double minimum = 180, maximum = 0, average = 0, regular = 0, hausdorff = 0, mean = 0, faces = 0;
+  double minimum = 180, maximum = 0, average = 0, regular = 0, hausdorff = 0, mean = 0, faces = 0, out = 0;
   std::vector<double> seconds;
 };
 
@@ -110,6 +110,9 @@ void print_table(const std::string& path)
   recipe.glide_depth = 0;
   row("default without glides", IAR::recipe(recipe));
   recipe = IAR::Recipe();
+  recipe.curvature_valences = false;
+  row("default, tips and saddles regular with six edges, too", IAR::recipe(recipe));
+  recipe = IAR::Recipe();
   recipe.clean_up = false;
   row("default without the clean-up and the fit", IAR::recipe(recipe));
   recipe = IAR::Recipe();
@@ -150,6 +153,7 @@ std::vector<Step> steps()
   add("glides of 4 flips, no slack", [](Recipe& r) { r.glide_depth = 4; r.glide_slack = 0; });
   add("glides of 8 flips, no slack", [](Recipe& r) { r.glide_depth = 8; r.glide_slack = 0; });
   add("glides of 12 flips", [](Recipe& r) { r.glide_depth = 12; });
+  add("tips and saddles regular with six edges, too", [](Recipe& r) { r.curvature_valences = false; });
   add("3 sweeps in the last two iterations, too", [](Recipe& r) { r.last_sweeps = 3; });
   add("16 sweeps in the last two iterations", [](Recipe& r) { r.last_sweeps = 16; });
   add("without the fit", [](Recipe& r) { r.fits = 0; });
@@ -163,8 +167,8 @@ std::vector<Step> steps()
 }
 
 // Each row is the mean over the models, of three target lengths each; Hd, Md and time are ratios to PMP's; the angles are the
-// extremes.
-void print_steps()
+// extremes. What is out of the bands is not counted by PMP.
+void print_steps(double factor)
 {
   std::vector<Mesh> inputs;
   for (const char* name : {"elephant", "bear_bis", "armadillo", "homer", "camel", "dino", "hand", "knot1", "cactus", "retinal"})
@@ -172,34 +176,36 @@ void print_steps()
   constexpr int RUNS = 3;
   const auto row_of = [&](const Mesh& input, const auto& remesh) {
     Row row;
-    const double length = mean_edge_length(input);
-    for (int i = 0; i < RUNS; ++i) add_run(row, input, [&](Mesh& mesh) { remesh(mesh, (0.97 + 0.03 * i) * length); });
+    const double length = factor * mean_edge_length(input);
+    for (int i = 0; i < RUNS; ++i) add_run(row, input, [&](Mesh& mesh) { row.out += remesh(mesh, (0.97 + 0.03 * i) * length); });
     std::nth_element(row.seconds.begin(), row.seconds.begin() + RUNS / 2, row.seconds.end());
     return row;
   };
-  std::printf("\n| | θ | θ_avg | valence 6 %% | Hd / PMP's | Md / PMP's | times as fast |\n|---|---|---|---|---|---|---|\n");
+  std::printf("\n| | θ | θ_avg | valence 6 %% | faces out | Hd / PMP's | Md / PMP's | times as fast |\n|---|---|---|---|---|---|---|---|\n");
   std::vector<Row> of_pmp;
   for (const Mesh& input : inputs)
     of_pmp.push_back(row_of(input, [](Mesh& mesh, double l) {
       CGAL::Polygon_mesh_processing::isotropic_remeshing(faces(mesh), l, mesh, CGAL::parameters::number_of_iterations(10));
+      return 0.;
     }));
   for (const Step& step : steps()) {
     Row all;
     double speed = 0;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
       const Row row = row_of(inputs[k], [&](Mesh& mesh, double l) {
-        IAR::isotropic_remeshing(faces(mesh), l, mesh, IAR::recipe(step.recipe)); });
+        return double(IAR::isotropic_remeshing(faces(mesh), l, mesh, IAR::recipe(step.recipe)).number_of_faces_out_of_band); });
       all.minimum = (std::min)(all.minimum, row.minimum);
       all.maximum = (std::max)(all.maximum, row.maximum);
       all.average += row.average / RUNS;
       all.regular += row.regular / RUNS;
+      all.out += row.out / RUNS;
       all.hausdorff += row.hausdorff / of_pmp[k].hausdorff;
       all.mean += row.mean / of_pmp[k].mean;
       speed += of_pmp[k].seconds[RUNS / 2] / row.seconds[RUNS / 2];
     }
     const double n = double(inputs.size());
-    std::printf("| %s | %.1f..%.1f | %.2f | %.1f | %.2f | %.2f | %.1f |\n", step.name, all.minimum, all.maximum, all.average / n,
-                all.regular / n, all.hausdorff / n, all.mean / n, speed / n);
+    std::printf("| %s | %.1f..%.1f | %.2f | %.1f | %.1f | %.2f | %.2f | %.1f |\n", step.name, all.minimum, all.maximum, all.average / n,
+                all.regular / n, all.out / n, all.hausdorff / n, all.mean / n, speed / n);
     std::fflush(stdout);
   }
 }
@@ -208,8 +214,8 @@ void print_steps()
 
 int main(int argc, char** argv)
 {
-  if (argc == 2 && std::string(argv[1]) == "steps") {
-    print_steps();
+  if (argc > 1 && std::string(argv[1]) == "steps") {
+    print_steps(argc > 2 ? std::atof(argv[2]) : 1);
     return EXIT_SUCCESS;
   }
   std::vector<std::string> paths(argv + 1, argv + argc);

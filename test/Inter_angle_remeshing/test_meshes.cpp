@@ -10,6 +10,7 @@
 
 #include <CGAL/Inter_angle_remeshing/Projection/Closest_point_projector.h>
 #include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
+#include <CGAL/Inter_angle_remeshing/internal/sector_valence.h>
 #include <CGAL/Inter_angle_remeshing/internal/whole_surface.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 #include <CGAL/Inter_angle_remeshing/surface_distance.h>
@@ -683,6 +684,69 @@ void all_crossing_faces_are_found()
   }
 }
 
+// A vertex amid a ring of n others, `tip` above it, which rises and falls by `saddle` twice.
+meshes::Soup star(std::size_t n, double tip, double saddle)
+{
+  meshes::Soup result{{{0, 0, tip}}, {}};
+  for(std::size_t k = 0; k < n; ++k)
+  {
+    const double angle = 2 * CGAL_PI * double(k) / double(n);
+    result.points.push_back({std::cos(angle), std::sin(angle), saddle * std::cos(2 * angle)});
+    result.faces.push_back({0, 1 + k, 1 + (k + 1) % n});
+  }
+  return result;
+}
+
+// Where its angles ask for them, a vertex is regular with the number of faces that it has, but never with more on a tip, or less on
+// a saddle.
+void vertices_of_tips_and_saddles_are_regular()
+{
+  struct Case
+  {
+    std::size_t faces;
+    double tip, saddle;
+    int regular;
+  };
+  for(const Case& c : {Case{5, 0, 0, 6}, {5, .2, 0, 6}, {5, .6, 0, 5}, {5, 0, .8, 6}, {4, .6, 0, 5}, {4, 1, 0, 4}, {3, 1, 0, 4}, {3, 2, 0, 3},
+                       {6, 1, 0, 6}, {6, 0, .8, 6}, {7, 0, 0, 6}, {7, 0, .3, 6}, {7, 0, .6, 7}, {7, 1, 0, 6}, {8, 0, .6, 7}, {8, 0, .9, 8}})
+  {
+    const Mesh m = meshes::to_mesh<Mesh>(star(c.faces, c.tip, c.saddle));
+    auto copy = IAR::internal::copy_whole_surface(m, get(CGAL::vertex_point, m), "test");
+    IAR::internal::measure_inner_vertices<CGAL::Sequential_tag>(copy.mesh);
+    for(IAR::internal::Remeshing_mesh::Index v = 0; v < IAR::internal::Remeshing_mesh::Index(c.faces + 1); ++v)
+      if(!copy.mesh.is_border_vertex(v))
+        CHECK_MESSAGE(copy.mesh.deviation(v) == int(c.faces) - c.regular,
+                      c.faces << " faces, tip " << c.tip << ", saddle " << c.saddle << ": " << copy.mesh.deviation(v));
+      else
+        CHECK(copy.mesh.deviation(v) == 3 - 4);
+  }
+}
+
+// Single coarse runs scatter, their sums do not. (Measured: .65 degrees, 307 faces instead of 426.)
+void coarse_organic_models_gain_by_irregular_vertices()
+{
+  if(meshes::is_small_run())
+    return;
+  IAR::Recipe six;
+  six.curvature_valences = false;
+  double gained = 0;
+  std::size_t out_of_band = 0, out_with_six = 0, runs = 0;
+  for(const char* name : {"triceratops", "elk", "cow", "pig", "cactus", "blob"})
+    for(const double factor : {2., 2.5, 3., 3.5, 4.})
+    {
+      Mesh m = mesh_of_cgal(name), with_six = m;
+      const double length = factor * mean_edge_length(m);
+      const IAR::Remeshing_report ours = IAR::isotropic_remeshing(length, m),
+                                  theirs = IAR::isotropic_remeshing(faces(with_six), length, with_six, IAR::recipe(six));
+      gained += ours.angles_after.average - theirs.angles_after.average;
+      out_of_band += ours.number_of_faces_out_of_band;
+      out_with_six += theirs.number_of_faces_out_of_band;
+      ++runs;
+    }
+  CHECK_MESSAGE(gained > .2 * double(runs), gained / double(runs));
+  CHECK_MESSAGE(out_of_band < out_with_six, out_of_band << " and " << out_with_six);
+}
+
 // Where nothing is left to do, the run ends, and the result is as good.
 void settled_meshes_end_early()
 {
@@ -1256,6 +1320,8 @@ int main(int argc, char* argv[])
   thin_walls_keep_their_round_ends();
   folded_walls_of_terrains_are_not_missed();
   all_crossing_faces_are_found();
+  vertices_of_tips_and_saddles_are_regular();
+  coarse_organic_models_gain_by_irregular_vertices();
   settled_meshes_end_early();
   angles_are_better_than_those_of_polygon_mesh_processing();
   random_meshes_keep_what_they_must();

@@ -66,6 +66,9 @@ struct Recipe
   unsigned glide_depth = 6;
   /// how much the sum of squared valence deviations may rise on a glide's way before it falls
   int glide_slack = 2;
+  /// whether, from the second half of the iterations on, an inner vertex with less or more than six edges counts as regular where the
+  /// angles around it ask for as many, as at tips and saddles that are small beside the edges; it would be chased away otherwise
+  bool curvature_valences = true;
   /// how far from the new surface the vertex that a collapse removes may lie, in target lengths
   double collapse_tolerance = 0.15;
   /// whether, where the target length is well under that of the input's edges, the iterations run on a coarser level, whose faces
@@ -129,6 +132,7 @@ struct Recipe
     r.sweeps = r.last_sweeps = 1;
     r.flip_rounds = 1;
     r.glide_depth = 0;
+    r.curvature_valences = false;
     r.multi_level = false;
     r.grading = 0;
     r.fillet_width = 0;

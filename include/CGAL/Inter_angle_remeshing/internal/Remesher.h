@@ -262,6 +262,9 @@ private:
     return report_.splits + report_.collapses + report_.flips + report_.glides;
   }
 
+  // Before that, the angles around a vertex are those of the mesh rather than of the surface.
+  bool is_half_done() const { return 2 * report_.iterations >= last_iteration_; }
+
   bool is_late() const { return report_.iterations + LAST_ITERATIONS >= last_iteration_; }
 
   // More than one round pays only where splits and collapses no longer stir up the valences.
@@ -368,6 +371,7 @@ private:
   {
     if (context_.flip_rule.is_never()) return;
     measure_sectors<ConcurrencyTag>(mesh_);
+    if (recipe_.curvature_valences && is_half_done()) measure_inner_vertices<ConcurrencyTag>(mesh_);
     for (unsigned round = 0; round < rounds && goes_on(); ++round) {
       run_pass(Pass::flip, report_.flips, [&]() { return flip_pass<ConcurrencyTag>(context_); });
       if (goes_on() && does_glide)

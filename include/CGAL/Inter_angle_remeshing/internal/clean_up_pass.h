@@ -48,6 +48,7 @@ std::size_t clean_up_pass(Remeshing_context& context)
                                MAXIMUM_MERGED_VALENCE};
   std::size_t collapses = 0;
   measure_sectors<ConcurrencyTag>(mesh);
+  if (context.recipe.curvature_valences) measure_inner_vertices<ConcurrencyTag>(mesh);
   for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
     if (!mesh.is_vertex(v) || !mesh.is_free(v) || mesh.valence(v) > POOR_VALENCE) continue;
     Index best = NO_COLLAPSE;

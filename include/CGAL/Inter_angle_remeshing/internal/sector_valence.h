@@ -10,13 +10,41 @@
 #include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 
-// Curves divide the faces around a vertex into sectors, which no flip joins. A sector is regular with as many faces as it
-// has times 60 degrees, but with one at least.
+// How many faces are regular around a vertex. Curves divide them into sectors, which no flip joins: a sector is regular with as many
+// faces as it has times 60 degrees, but with one at least. Around other vertices six are, or as many as their angles ask for where the
+// mesh has come to that by itself: five at a tip, seven at a saddle. No vertex is to be drawn there, as the angles of a regular one are
+// good enough; but none is to be chased away.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
+
+// The number of faces between six and those that v, which is not on a curve, has, that is nearest to its angles' sum over 60 degrees.
+inline int regular_valence_by_angles(const Remeshing_mesh& mesh, Remeshing_mesh::Index v)
+{
+  constexpr int LARGEST = (std::numeric_limits<std::uint8_t>::max)();
+  const int valence = mesh.valence(v);
+  if (valence == 6) return 6;
+  double sum = 0;
+  mesh.for_each_around(v, [&](Remeshing_mesh::Index h) {
+    sum += arc_cosine_in_degrees(corner_cosine(mesh.position(v), mesh.position(mesh.target(h)), mesh.position(mesh.apex(h))));
+  });
+  return std::clamp(int(sum / 60 + 0.5), (std::min)(valence, 6), (std::min)((std::max)(valence, 6), LARGEST));
+}
+
+// Notes how many faces are regular around each vertex that is on no curve.
+template <class ConcurrencyTag>
+void measure_inner_vertices(Remeshing_mesh& mesh)
+{
+  using Index = Remeshing_mesh::Index;
+  for_each_block<ConcurrencyTag>(mesh.number_of_vertex_slots(), SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (Index v = Index(begin); v < Index(end); ++v)
+      if (mesh.is_vertex(v) && !mesh.is_on_curve(v)) mesh.set_regular_valence(v, regular_valence_by_angles(mesh, v));
+  });
+}
 
 // Notes how many faces are regular in each sector. Flips leave that as it is, near enough.
 template <class ConcurrencyTag>
