@@ -166,8 +166,8 @@ std::vector<Step> steps()
   return result;
 }
 
-// Each row is the mean over the models, of three target lengths each; Hd, Md and time are ratios to PMP's; the angles are the
-// extremes. What is out of the bands is not counted by PMP.
+// Each row is the mean over the models, of three target lengths each, about `factor` times their mean edge length; Hd, Md and time
+// are ratios to PMP's; the angles are the extremes.
 void print_steps(double factor)
 {
   std::vector<Mesh> inputs;
@@ -215,7 +215,7 @@ void print_steps(double factor)
 int main(int argc, char** argv)
 {
   if (argc > 1 && std::string(argv[1]) == "steps") {
-    print_steps(argc > 2 ? std::atof(argv[2]) : 1);
+    print_steps(argc > 2 ? std::stod(argv[2]) : 1);
     return EXIT_SUCCESS;
   }
   std::vector<std::string> paths(argv + 1, argv + argc);

@@ -10,7 +10,7 @@
 
 #include <CGAL/Inter_angle_remeshing/Projection/Closest_point_projector.h>
 #include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
-#include <CGAL/Inter_angle_remeshing/internal/sector_valence.h>
+#include <CGAL/Inter_angle_remeshing/internal/regular_valence.h>
 #include <CGAL/Inter_angle_remeshing/internal/whole_surface.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 #include <CGAL/Inter_angle_remeshing/surface_distance.h>

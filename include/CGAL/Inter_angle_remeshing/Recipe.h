@@ -66,8 +66,9 @@ struct Recipe
   unsigned glide_depth = 6;
   /// how much the sum of squared valence deviations may rise on a glide's way before it falls
   int glide_slack = 2;
-  /// whether, from the second half of the iterations on, an inner vertex with less or more than six edges counts as regular where the
-  /// angles around it ask for as many, as at tips and saddles that are small beside the edges; it would be chased away otherwise
+  /// whether, from the second half of the iterations on, an inner vertex with less or more than six edges is measured against what its
+  /// angles ask for, one edge for 60 degrees, instead of against six: at tips and saddles that are small beside the edges irregular
+  /// vertices belong, and would be chased away otherwise
   bool curvature_valences = true;
   /// how far from the new surface the vertex that a collapse removes may lie, in target lengths
   double collapse_tolerance = 0.15;

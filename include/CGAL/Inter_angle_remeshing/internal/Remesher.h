@@ -370,8 +370,7 @@ private:
   void flip(unsigned rounds, bool does_glide)
   {
     if (context_.flip_rule.is_never()) return;
-    measure_sectors<ConcurrencyTag>(mesh_);
-    if (recipe_.curvature_valences && is_half_done()) measure_inner_vertices<ConcurrencyTag>(mesh_);
+    measure_regular_valences<ConcurrencyTag>(mesh_, recipe_.curvature_valences && is_half_done());
     for (unsigned round = 0; round < rounds && goes_on(); ++round) {
       run_pass(Pass::flip, report_.flips, [&]() { return flip_pass<ConcurrencyTag>(context_); });
       if (goes_on() && does_glide)

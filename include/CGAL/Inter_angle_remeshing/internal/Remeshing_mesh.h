@@ -109,9 +109,9 @@ public:
   // Whether v is on a curve and may move along it.
   bool is_sliding(Index v) const { return is_on_curve(v) && (state_[v].marks & (LOCKED | PINNED)) == 0; }
 
-  // How far the valence is from that of a regular vertex: 4 on the border, 6 elsewhere unless another one has been set.
-  void set_regular_valence(Index v, int n) { state_[v].regular_valence = static_cast<std::uint8_t>(n); }
+  // How far the valence is from the regular one: 4 on the border, 6 elsewhere unless another one has been set.
   int deviation(Index v) const { return int(state_[v].valence) - int(state_[v].regular_valence); }
+  void set_regular_valence(Index v, int n) { state_[v].regular_valence = static_cast<std::uint8_t>(n); }
 
   // --- edges --------------------------------------------------------------------------------------------------
 

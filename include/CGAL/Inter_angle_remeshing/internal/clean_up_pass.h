@@ -6,7 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_CLEAN_UP_PASS_H
 
 #include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
-#include <CGAL/Inter_angle_remeshing/internal/sector_valence.h>
+#include <CGAL/Inter_angle_remeshing/internal/regular_valence.h>
 
 #include <limits>
 
@@ -47,8 +47,7 @@ std::size_t clean_up_pass(Remeshing_context& context)
   const Collapse_limits limits{CLEAN_UP_LENGTH * length * CLEAN_UP_LENGTH * length, tolerance * tolerance,
                                MAXIMUM_MERGED_VALENCE};
   std::size_t collapses = 0;
-  measure_sectors<ConcurrencyTag>(mesh);
-  if (context.recipe.curvature_valences) measure_inner_vertices<ConcurrencyTag>(mesh);
+  measure_regular_valences<ConcurrencyTag>(mesh, context.recipe.curvature_valences);
   for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
     if (!mesh.is_vertex(v) || !mesh.is_free(v) || mesh.valence(v) > POOR_VALENCE) continue;
     Index best = NO_COLLAPSE;

@@ -147,7 +147,7 @@ public:
       band_(Angle_bands(context.recipe, LOWER_MARGIN, UPPER_MARGIN).inside)
   {}
 
-  // Does this many passes, or further ones, or none. Returns the number of vertices moved in the last one.
+  // Does this many passes, further ones where these pay, none where chords are short. Returns the number of vertices moved in the last one.
   std::size_t run(unsigned passes)
   {
     if (is_finer_than_surface(context_, length_)) return 0;
@@ -172,6 +172,7 @@ private:
   {
     return context_.projector.surface->number_of_faces() > MANY_FACES * mesh_.number_of_live_faces();
   }
+
   static const std::array<Barycentric, 3>& places()
   {
     constexpr double A = 2. / 3, B = 1. / 6;

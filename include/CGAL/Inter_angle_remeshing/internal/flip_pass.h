@@ -7,7 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/evaluate_then_apply.h>
-#include <CGAL/Inter_angle_remeshing/internal/sector_valence.h>
+#include <CGAL/Inter_angle_remeshing/internal/regular_valence.h>
 #include <CGAL/Inter_angle_remeshing/internal/thin_angles.h>
 
 #include <algorithm>

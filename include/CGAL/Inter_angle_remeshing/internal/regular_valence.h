@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_SECTOR_VALENCE_H
-#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SECTOR_VALENCE_H
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_REGULAR_VALENCE_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REGULAR_VALENCE_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/arc_cosine.h>
@@ -14,28 +14,33 @@
 #include <limits>
 
 // How many faces are regular around a vertex. Curves divide them into sectors, which no flip joins: a sector is regular with as many
-// faces as it has times 60 degrees, but with one at least. Around other vertices six are, or as many as their angles ask for where the
-// mesh has come to that by itself: five at a tip, seven at a saddle. No vertex is to be drawn there, as the angles of a regular one are
-// good enough; but none is to be chased away.
+// faces as it has times 60 degrees, but with one at least. Around other vertices six are regular, or what lies between six and the
+// number that there is, if the angles ask for that: five at a tip, seven at a saddle. So such a vertex is not chased away from where
+// the mesh has put it; but no vertex is drawn there, for six faces are good enough.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// The number of faces between six and those that v, which is not on a curve, has, that is nearest to its angles' sum over 60 degrees.
+// In degrees, at the origin of h.
+inline double corner_angle(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  return arc_cosine_in_degrees(corner_cosine(mesh.position(mesh.origin(h)), mesh.position(mesh.target(h)), mesh.position(mesh.apex(h))));
+}
+
+inline int faces_in_angle(double degrees) { return int(degrees / 60 + 0.5); }
+
+// The number of faces between six and those around v, which is on no curve, that is nearest to what its angles ask for.
 inline int regular_valence_by_angles(const Remeshing_mesh& mesh, Remeshing_mesh::Index v)
 {
   constexpr int LARGEST = (std::numeric_limits<std::uint8_t>::max)();
   const int valence = mesh.valence(v);
   if (valence == 6) return 6;
-  double sum = 0;
-  mesh.for_each_around(v, [&](Remeshing_mesh::Index h) {
-    sum += arc_cosine_in_degrees(corner_cosine(mesh.position(v), mesh.position(mesh.target(h)), mesh.position(mesh.apex(h))));
-  });
-  return std::clamp(int(sum / 60 + 0.5), (std::min)(valence, 6), (std::min)((std::max)(valence, 6), LARGEST));
+  double angle = 0;
+  mesh.for_each_around(v, [&](Remeshing_mesh::Index h) { angle += corner_angle(mesh, h); });
+  return std::clamp(faces_in_angle(angle), (std::min)(valence, 6), (std::min)((std::max)(valence, 6), LARGEST));
 }
 
-// Notes how many faces are regular around each vertex that is on no curve.
 template <class ConcurrencyTag>
 void measure_inner_vertices(Remeshing_mesh& mesh)
 {
@@ -46,7 +51,6 @@ void measure_inner_vertices(Remeshing_mesh& mesh)
   });
 }
 
-// Notes how many faces are regular in each sector. Flips leave that as it is, near enough.
 template <class ConcurrencyTag>
 void measure_sectors(Remeshing_mesh& mesh)
 {
@@ -59,14 +63,22 @@ void measure_sectors(Remeshing_mesh& mesh)
         if (!mesh.has_place(h)) continue;
         double angle = 0;
         for (Index k = h;; k = mesh.rotate_ccw(k)) {
-          angle += arc_cosine_in_degrees(corner_cosine(mesh.position(mesh.origin(k)), mesh.position(mesh.target(k)),
-                                                       mesh.position(mesh.apex(k))));
+          angle += corner_angle(mesh, k);
           if (mesh.is_on_curve_edge(mesh.prev(k))) break;
         }
-        mesh.set_regular_faces(mesh.curve_end(h), (std::max)(1, int(angle / 60 + 0.5)));
+        mesh.set_regular_faces(mesh.curve_end(h), (std::max)(1, faces_in_angle(angle)));
       }
     }
   });
+}
+
+// Notes how many faces are regular in each sector, and around each vertex on no curve if the angles are asked there, too; six are, if
+// they never were. Flips leave that as it is, near enough.
+template <class ConcurrencyTag>
+void measure_regular_valences(Remeshing_mesh& mesh, bool asks_angles_of_inner_vertices)
+{
+  measure_sectors<ConcurrencyTag>(mesh);
+  if (asks_angles_of_inner_vertices) measure_inner_vertices<ConcurrencyTag>(mesh);
 }
 
 inline int deviation_on_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
@@ -112,4 +124,4 @@ void for_each_sector(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, const 
 } // namespace Inter_angle_remeshing
 } // namespace CGAL
 
-#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_SECTOR_VALENCE_H
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_REGULAR_VALENCE_H
