@@ -6,33 +6,25 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESHER_H
 
 #include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
+#include <CGAL/Inter_angle_remeshing/internal/Face_count_steering.h>
+#include <CGAL/Inter_angle_remeshing/internal/Pass_runner.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/Run_clock.h>
 #include <CGAL/Inter_angle_remeshing/internal/angle_bands.h>
 #include <CGAL/Inter_angle_remeshing/internal/angle_summary.h>
 #include <CGAL/Inter_angle_remeshing/internal/bent_vertices.h>
-#include <CGAL/Inter_angle_remeshing/internal/clean_up_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/coarse_levels.h>
-#include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
-#include <CGAL/Inter_angle_remeshing/internal/distance_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/curve_edges.h>
 #include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
-#include <CGAL/Inter_angle_remeshing/internal/face_count_pass.h>
-#include <CGAL/Inter_angle_remeshing/internal/fit_pass.h>
-#include <CGAL/Inter_angle_remeshing/internal/flip_pass.h>
-#include <CGAL/Inter_angle_remeshing/internal/glide_pass.h>
-#include <CGAL/Inter_angle_remeshing/internal/polish_pass.h>
-#include <CGAL/Inter_angle_remeshing/internal/relax_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/repair_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/run_passes.h>
 #include <CGAL/Inter_angle_remeshing/internal/space_filling_order.h>
-#include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/spot_pass.h>
-#include <CGAL/Inter_angle_remeshing/internal/subdivision_pass.h>
 
-#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iostream>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -40,7 +32,7 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// The iteration: the passes in order.
+// The passes in order: iterations, on a coarser level perhaps, then the clean-up.
 template <class ConcurrencyTag>
 class Remesher
 {
@@ -48,9 +40,8 @@ class Remesher
 
 public:
   Remesher(Remeshing_context& context, const Schedule& schedule)
-    : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule),
-      relaxation_(context.recipe, context.curves, context.grading, context.noise),
-      last_iteration_(schedule.iterations), wanted_faces_(schedule.wanted_faces)
+    : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule), clock_(schedule.iterations),
+      passes_(context, schedule, clock_, report_)
   {}
 
   Remeshing_report run()
@@ -59,20 +50,16 @@ public:
     report_.input_faces = mesh_.number_of_live_faces();
     report_.angles_before = angle_summary<ConcurrencyTag>(mesh_);
     choose_levels();
-    if (levels_ == 0 || !succeeds_from_coarsest_level()) run_directly();
+    if (clock_.levels() == 0 || !succeeds_from_coarsest_level()) run_directly();
     return is_at_finest_level() ? finish() : report_;
   }
 
   // Whether the mesh is one of the target length: cancelled before that, a run has nothing to show, and the mesh is the input.
-  bool is_at_finest_level() const { return levels_ == 0; }
+  bool is_at_finest_level() const { return clock_.is_at_finest_level(); }
 
 private:
-  // Iterations at the end that relax longest, flip in several rounds, and settle what is left to split.
-  static constexpr unsigned LAST_ITERATIONS = 2;
   // The iteration from which on glides pay: before, splits and collapses stir the valences up too much.
   static constexpr unsigned FIRST_GLIDES = 2;
-  // The iteration from which on short edges of curves are there to stay.
-  static constexpr unsigned SETTLED_CURVES = 5;
   // Once an iteration does no more than one operation for so many faces, only the last ones are left to do.
   static constexpr std::size_t SETTLED = 1000;
   // Once it does no more than one operation for so many faces, and more than this part of the faces is out of the band, splits for
@@ -110,23 +97,15 @@ private:
     for (Index v = 0; v < Index(mesh_.number_of_vertex_slots()); ++v) mesh_.remove_marks(v, Remeshing_mesh::HELD);
   }
 
-  void make_iterations()
-  {
-    const double first_target_length = context_.target_length;
-    while (report_.iterations < last_iteration_ && goes_on()) {
-      steer_to_face_count(first_target_length);
-      iterate();
-    }
-  }
-
   // Levels pay where the faces that come out of the iterations can be cut into four as they are.
   void choose_levels()
   {
     if (!recipe_.multi_level || !context_.may_subdivide || recipe_.sweeps == 0 || context_.is_graded() ||
         has_protected_edges()) return;
     const Coarse_levels coarse_levels = Coarse_levels::measure<ConcurrencyTag>(mesh_, context_.target_length);
-    levels_ = stages_ = coarse_levels.number(context_.target_length);
-    if (levels_ > 0) held_ = coarse_levels.bent_vertices(std::ldexp(context_.target_length, int(levels_)));
+    clock_.set_levels(coarse_levels.number(context_.target_length));
+    if (clock_.levels() > 0)
+      held_ = coarse_levels.bent_vertices(std::ldexp(context_.target_length, int(clock_.levels())));
   }
 
   bool has_protected_edges() const
@@ -148,12 +127,11 @@ private:
     if (!is_poor && is_at_finest_level()) return true;
     mesh_ = input;
     context_.target_length = target_length;
-    if (is_poor) levels_ = 0;
-    forget_what_was_done();
+    forget_what_was_done(is_poor ? 0 : clock_.levels_left());
     return !is_poor;
   }
 
-  void forget_what_was_done()
+  void forget_what_was_done(unsigned levels)
   {
     Remeshing_report report;
     report.ending = report_.ending;
@@ -161,24 +139,21 @@ private:
     report.input_faces = report.output_faces = report_.input_faces;
     report.angles_before = report.angles_after = report_.angles_before;
     report_ = report;
-    wanted_faces_ = schedule_.wanted_faces;
-    last_iteration_ = schedule_.iterations;
-    operations_in_order_ = steerings_ = 0;
-    is_refined_ = is_fitted_ = is_stirred_up_ = is_only_split_ = has_poor_spots_ = false;
-    stages_ = levels_;
+    clock_.begin_anew(schedule_.iterations, levels);
+    operations_in_order_ = 0;
+    is_fitted_ = is_stirred_up_ = is_only_split_ = has_poor_spots_ = false;
   }
 
   // The iterations on the coarsest level, and what little the others leave to do.
   void run_from_coarsest_level()
   {
-    context_.target_length = std::ldexp(context_.target_length, int(levels_));
-    wanted_faces_ >>= 2 * levels_;
+    context_.target_length = std::ldexp(context_.target_length, int(clock_.levels()));
     hold();
     make_iterations();
     if (goes_on()) mend_valences();
-    if (goes_on()) polish();
+    passes_.polish();
     release();
-    while (levels_ > 0 && goes_on()) {
+    while (!is_at_finest_level() && goes_on()) {
       if (cuts_through_itself()) return;
       go_to_finer_level();
     }
@@ -196,43 +171,73 @@ private:
 
   void go_to_finer_level()
   {
-    passes_ = 0;
-    --levels_;
+    clock_.start_finer_level();
     context_.target_length /= 2;
-    wanted_faces_ = schedule_.wanted_faces >> (2 * levels_);
-    run_pass(Pass::subdivide, report_.splits, [&]() { return subdivision_pass<ConcurrencyTag>(context_); });
+    passes_.subdivide();
     split_and_collapse(is_at_finest_level() ? FINEST_LIMITS : 1);
-    flip(1, recipe_.glide_depth > 0);
-    if (goes_on() && !(is_at_finest_level() && recipe_.clean_up)) {
-      relax(LEVEL_SWEEPS, Pull_back::after_last_sweep);
+    passes_.flip(1, recipe_.glide_depth > 0);
+    if (!(is_at_finest_level() && recipe_.clean_up)) {
+      passes_.relax(LEVEL_SWEEPS, Pull_back::after_last_sweep);
       if (goes_on()) mend_spots();
     }
-    if (schedule_.is_verbose) print_state("level " + std::to_string(stages_ - levels_));
+    if (schedule_.is_verbose) print_state("level " + std::to_string(clock_.levels() - clock_.levels_left()));
   }
+
+  void make_iterations()
+  {
+    Face_count_steering steering(context_.target_length);
+    while (clock_.has_iterations_left() && goes_on()) {
+      steering.steer(context_, clock_, wanted_faces());
+      iterate();
+    }
+  }
+
+  // On this level; 0: any.
+  std::size_t wanted_faces() const { return schedule_.wanted_faces >> (2 * clock_.levels_left()); }
 
   void iterate()
   {
-    const unsigned i = report_.iterations;
     const std::size_t operations = number_of_operations();
-    passes_ = 0;
-    context_.visitor.start_iteration(i, mesh_);
-    const int halvings = i == 0 || is_only_split_ ? halvings_to_do() : 0;
+    clock_.start_iteration();
+    context_.visitor.start_iteration(clock_.iterations(), mesh_);
+    const int halvings = clock_.iterations() == 0 || is_only_split_ ? halvings_to_do() : 0;
     split_and_collapse();
     is_only_split_ = is_only_to_be_split(halvings);
-    if (is_late() && number_of_operations() > operations) settle_lengths();
+    if (clock_.is_late() && number_of_operations() > operations) settle_lengths();
     order_elements();
-    if (is_late() || !is_only_split_) {
-      flip(flip_rounds(), recipe_.glide_depth > 0 && (report_.iterations >= FIRST_GLIDES || is_late()));
-      if (goes_on()) relax();
+    if (clock_.is_late() || !is_only_split_) {
+      passes_.flip(passes_.flip_rounds(), recipe_.glide_depth > 0 && (clock_.iterations() >= FIRST_GLIDES || clock_.is_late()));
+      relax();
     }
     const std::size_t done = number_of_operations() - operations, faces = mesh_.number_of_live_faces();
-    if (goes_on() && context_.target_length > 0 && !is_late()) {
+    if (goes_on() && context_.target_length > 0 && !clock_.is_late()) {
       if (!is_stirred_up_ && done <= faces / HARDLY_MOVING && is_skewed()) stir_up();
-      else if (done <= faces / SETTLED) last_iteration_ = (std::min)(last_iteration_, i + 1 + LAST_ITERATIONS);
+      else if (done <= faces / SETTLED) clock_.hurry();
     }
-    context_.visitor.end_iteration(i, mesh_);
-    ++report_.iterations;
-    if (schedule_.is_verbose) print_state("iteration " + std::to_string(report_.iterations));
+    context_.visitor.end_iteration(clock_.iterations(), mesh_);
+    clock_.end_iteration();
+    report_.iterations = clock_.iterations();
+    if (schedule_.is_verbose) print_state("iteration " + std::to_string(clock_.iterations()));
+  }
+
+  std::size_t number_of_operations() const
+  {
+    return report_.splits + report_.collapses + report_.flips + report_.glides;
+  }
+
+  std::size_t split_and_collapse(double widening = 1)
+  {
+    const std::size_t splits = passes_.split_and_collapse(widening);
+    if (wanted_faces() > 0 && clock_.is_late()) passes_.meet_face_count(wanted_faces());
+    return splits;
+  }
+
+  void relax()
+  {
+    // Between the passes of the early iterations, being a little off the surface does no harm.
+    const bool is_pulled_back = clock_.is_late() || clock_.iterations() % 2 == 0;
+    passes_.relax(clock_.is_late() ? recipe_.last_sweeps : recipe_.sweeps,
+                  is_pulled_back ? Pull_back::after_last_sweep : Pull_back::never);
   }
 
   // Whether many faces are out of their bands. Where hardly an operation is left to do, they are those of a grid of edges of nearly
@@ -253,22 +258,15 @@ private:
     context_.target_length *= is_too_dense() ? STIRRED_BY_COLLAPSES : STIRRED_BY_SPLITS;
     split_and_collapse();
     context_.target_length = target_length;
-    flip(1, false);
-    if (goes_on()) relax(recipe_.sweeps, Pull_back::after_last_sweep);
+    even_out();
   }
 
-  std::size_t number_of_operations() const
+  // What splits and collapses leave, before the next ones.
+  void even_out()
   {
-    return report_.splits + report_.collapses + report_.flips + report_.glides;
+    passes_.flip(1, false);
+    passes_.relax(recipe_.sweeps, Pull_back::after_last_sweep);
   }
-
-  // Before that, the angles around a vertex are those of the mesh rather than of the surface.
-  bool is_half_done() const { return 2 * report_.iterations >= last_iteration_; }
-
-  bool is_late() const { return report_.iterations + LAST_ITERATIONS >= last_iteration_; }
-
-  // More than one round pays only where splits and collapses no longer stir up the valences.
-  unsigned flip_rounds() const { return is_late() ? recipe_.flip_rounds : (std::min)(1u, recipe_.flip_rounds); }
 
   // An iteration halves edges, and merges a vertex with few of those around it. What is far too long or far too dense even when
   // the last iterations begin goes through as many short ones as it takes, so that those work on a mesh of about the target
@@ -277,8 +275,7 @@ private:
   {
     int halvings = halvings_to_do();
     for (int round = halvings + MOST_COARSENINGS; round > 0 && goes_on() && (halvings > 0 || is_too_dense()); --round) {
-      flip(1, false);
-      if (goes_on()) relax(recipe_.sweeps, Pull_back::after_last_sweep);
+      even_out();
       const std::size_t faces = mesh_.number_of_live_faces(), splits = split_and_collapse();
       if ((halvings == 0 || splits == 0) && double(mesh_.number_of_live_faces()) > COARSENED * double(faces)) return;
       halvings = halvings_to_do();
@@ -309,208 +306,6 @@ private:
     return ratio > 2 ? 1 + int(std::log2(ratio)) : 0;
   }
 
-  // Short edges that curves could do without are those of the input, at first: they tell nothing about details.
-  void measure_grading()
-  {
-    if (!(context_.target_length > 0) || !context_.is_graded()) return;
-    context_.grading.read<ConcurrencyTag>(mesh_, context_.sizing, context_.locator, context_.target_length);
-    if (!(context_.grading_rate > 0)) return;
-    const bool are_curves_settled = report_.iterations >= SETTLED_CURVES || !context_.may_collapse_constraints ||
-                                    context_.collapse_rule.is_never();
-    context_.grading.sink(mesh_, context_.target_length, context_.grading_rate, [&](Index v) {
-      return are_curves_settled || !has_surplus_curve_edge(context_, v); });
-  }
-
-  // Returns the number of splits. The limits of the edge lengths are those of the recipe, or wider by a factor.
-  std::size_t split_and_collapse(double widening = 1)
-  {
-    if (!goes_on() || !(context_.target_length > 0)) return 0;
-    constexpr double inf = std::numeric_limits<double>::infinity();
-    const double low = context_.collapse_rule.is_never() ? 0 : context_.squared_shortness_limit() / (widening * widening);
-    const double high = context_.split_rule.is_never() ? inf : context_.squared_length_limit() * (widening * widening);
-    std::vector<Remeshing_mesh::Index> long_edges, short_edges;
-    std::size_t splits = 0;
-    measure_grading();
-    run_pass(Pass::split, report_.splits, [&]() {
-      if (context_.grading.is_uniform()) {
-        for (const Remeshing_mesh::Index h : edges_out_of<ConcurrencyTag>(mesh_, low, high))
-          (mesh_.squared_edge_length(h) < low ? short_edges : long_edges).push_back(h);
-      } else {
-        const auto scale = [&](Remeshing_mesh::Index h) {
-          const double part = context_.grading.part(mesh_.origin(h), mesh_.target(h));
-          return part * part;
-        };
-        const auto is_too_short = [&](Remeshing_mesh::Index h) { return mesh_.squared_edge_length(h) < low * scale(h); };
-        const auto is_out_of_limits = [&](Remeshing_mesh::Index h) {
-          const double l = mesh_.squared_edge_length(h), s = scale(h);
-          return l < low * s || l > high * s;
-        };
-        for (const Remeshing_mesh::Index h : edges_where<ConcurrencyTag>(mesh_, is_out_of_limits))
-          (is_too_short(h) ? short_edges : long_edges).push_back(h);
-      }
-      return splits = split_pass<ConcurrencyTag>(context_, long_edges, short_edges);
-    });
-    if (goes_on() && !context_.collapse_rule.is_never())
-      run_pass(Pass::collapse, report_.collapses, [&]() { return collapse_pass<ConcurrencyTag>(context_, short_edges); });
-    if (wanted_faces_ > 0 && is_late()) meet_face_count();
-    return splits;
-  }
-
-  void meet_face_count()
-  {
-    const std::size_t faces = mesh_.number_of_live_faces();
-    if (goes_on() && faces > wanted_faces_ && !context_.collapse_rule.is_never())
-      run_pass(Pass::collapse, report_.collapses, [&]() { return collapse_surplus(context_, wanted_faces_); });
-    if (goes_on() && faces < wanted_faces_ && !context_.split_rule.is_never())
-      run_pass(Pass::split, report_.splits, [&]() {
-        return split_for_deficit<ConcurrencyTag>(context_, wanted_faces_); });
-  }
-
-  // Flips, and glides perhaps, by turns.
-  void flip(unsigned rounds, bool does_glide)
-  {
-    if (context_.flip_rule.is_never()) return;
-    measure_regular_valences<ConcurrencyTag>(mesh_, recipe_.curvature_valences && is_half_done());
-    for (unsigned round = 0; round < rounds && goes_on(); ++round) {
-      run_pass(Pass::flip, report_.flips, [&]() { return flip_pass<ConcurrencyTag>(context_); });
-      if (goes_on() && does_glide)
-        run_pass(Pass::glide, report_.glides, [&]() { return glide_pass<ConcurrencyTag>(context_); });
-    }
-  }
-
-  void relax()
-  {
-    // Between the passes of the early iterations, being a little off the surface does no harm.
-    const bool is_pulled_back = is_late() || report_.iterations % 2 == 0;
-    relax(is_late() ? recipe_.last_sweeps : recipe_.sweeps,
-          is_pulled_back ? Pull_back::after_last_sweep : Pull_back::never);
-  }
-
-  void relax(unsigned sweeps, Pull_back pull_back)
-  {
-    if (sweeps == 0) return;
-    std::size_t moved = 0;
-    run_pass(Pass::relax, moved, [&]() {
-      for_each_vertex_of_a_visitor([&](Mesh_vertex v) { context_.visitor.before_move(v, mesh_); });
-      const std::size_t count = relaxation_.run<ConcurrencyTag>(mesh_, context_.projector, sweeps, pull_back, curve_tolerance());
-      for_each_vertex_of_a_visitor([&](Mesh_vertex v) { context_.visitor.after_move(v, mesh_); });
-      return count;
-    });
-  }
-
-  template <class Function>
-  void for_each_vertex_of_a_visitor(const Function& function) const
-  {
-    if (context_.visitor.listens())
-      for (const Mesh_vertex v : vertices(mesh_))
-        if (mesh_.is_free(v.index()) || mesh_.is_sliding(v.index())) function(v);
-  }
-
-  void clean_up()
-  {
-    measure_grading();
-    mend_valences();
-    if (goes_on() && stages_ > 0) mend_spots();
-    context_.kept_places.note(mesh_);
-    if (goes_on()) fit();
-    if (goes_on()) polish();
-    Repairer repairer(context_, report_.input_faces);
-    repair(repairer);
-    if (goes_on() && lower_distances() > 0) repair(repairer);
-    part_crossing_faces(repairer);
-  }
-
-  void fit()
-  {
-    std::size_t moves = 0;
-    is_fitted_ = true;
-    if (context_.projector.has_faces() && recipe_.fits > 0 && recipe_.sweeps > 0)
-      run_pass(Pass::fit, moves, [&]() { return fit_pass<ConcurrencyTag>(context_, context_.target_length, recipe_.fits); });
-  }
-
-  std::size_t lower_distances()
-  {
-    std::size_t spots = 0;
-    if (context_.projector.is_input() && recipe_.distance_tolerance > 0 && recipe_.sweeps > 0 && context_.target_length > 0 &&
-        !is_finer_than_surface(context_, context_.target_length))
-      run_pass(Pass::distance, spots, [&]() { return distance_pass(context_); });
-    return spots;
-  }
-
-  void mend_valences()
-  {
-    if (context_.target_length > 0 && !context_.collapse_rule.is_never())
-      run_pass(Pass::clean_up, report_.collapses, [&]() { return clean_up_pass<ConcurrencyTag>(context_); });
-    if (goes_on()) flip(1, false);
-    if (goes_on() && recipe_.sweeps > 0) relax(CLEAN_UP_SWEEPS, Pull_back::after_last_sweep);
-  }
-
-  void mend_spots()
-  {
-    std::size_t vertices = 0;
-    Spot_iteration<ConcurrencyTag> spots(context_, relaxation_);
-    run_pass(Pass::mend, vertices, [&]() { return spots.run(curve_tolerance(), report_); });
-    has_poor_spots_ = !spots.is_done();
-  }
-
-  void polish()
-  {
-    std::size_t moves = 0;
-    if (recipe_.sweeps > 0)
-      run_pass(Pass::polish, moves, [&]() { return polish_pass(context_); });
-  }
-
-  bool repairs() const { return goes_on() && recipe_.repair && recipe_.sweeps > 0 && context_.target_length > 0; }
-
-  void repair(Repairer& repairer)
-  {
-    if (repairs())
-      run_pass(Pass::repair, report_.repairs, [&]() { return repairer.run(); });
-  }
-
-  // Chords much shorter than the surface's own do not lead through another sheet, but where the mesh is a wreck.
-  void part_crossing_faces(Repairer& repairer)
-  {
-    if (!repairs() || (context_.projector.has_faces() && !repairer.leaves_bad_faces() &&
-                       is_finer_than_surface(context_, context_.target_length))) return;
-    report_.are_crossing_faces_known = true;
-    run_pass(Pass::repair, report_.repairs, [&]() {
-      return repairer.part_crossing_faces<ConcurrencyTag>(report_.crossing_faces); });
-  }
-
-  Remeshing_report finish()
-  {
-    if (report_.ending == Remeshing_report::Ending::cancelled && !is_fitted_)
-      relaxation_.run<ConcurrencyTag>(mesh_, context_.projector, 0, Pull_back::after_last_sweep, curve_tolerance());
-    if (mesh_.has_free_slots()) mesh_.renumber<ConcurrencyTag>(mesh_.block_order());
-    report_.output_faces = mesh_.number_of_live_faces();
-    report_.target_edge_length = mesh_.unit() * context_.target_length;
-    report_.angles_after = angle_summary<ConcurrencyTag>(mesh_);
-    report_band(mesh_, Angle_bands(recipe_), report_);
-    return report_;
-  }
-
-  double curve_tolerance() const { return CURVE_TOLERANCE * context_.target_length; }
-
-  // Runs a pass, tells the visitor and the callback about it.
-  template <class Function>
-  void run_pass(Pass pass, std::size_t& total, const Function& function)
-  {
-    context_.visitor.start_pass(pass, mesh_);
-    const std::size_t count = function();
-    total += count;
-    context_.visitor.end_pass(pass, mesh_, count);
-    if (!schedule_.callback) return;
-    const double passes_an_iteration = 3. + 2. * flip_rounds();
-    const double part = (std::min)(1., ++passes_ / passes_an_iteration), iterations = last_iteration_;
-    const double done = levels_ == stages_ ? (std::min)(report_.iterations + part, iterations)
-                                           : iterations + (stages_ - levels_ - 1) + part;
-    progress_ = (std::max)(progress_, done / (iterations + stages_));
-    if (!schedule_.callback(progress_)) report_.ending = Remeshing_report::Ending::cancelled;
-  }
-
-  bool goes_on() const { return report_.ending == Remeshing_report::Ending::completed; }
-
   // Puts the elements in space-filling order anew when splits and collapses have left enough of them out of it. The
   // larger the mesh, the sooner that pays.
   void order_elements()
@@ -519,70 +314,70 @@ private:
     const std::size_t fraction = faces < 100000 ? 4 : faces < 1000000 ? 8 : 32;
     if (operations - operations_in_order_ <= faces / fraction) return;
     mesh_.renumber<ConcurrencyTag>(morton_order(mesh_));
-    if (!context_.sizing.is_uniform()) measure_grading();
+    if (!context_.sizing.is_uniform()) passes_.measure_grading();
     operations_in_order_ = operations;
   }
 
-  void steer_to_face_count(double first_target_length);
-  void print_state(const std::string& name) const;
+  void clean_up()
+  {
+    passes_.measure_grading();
+    mend_valences();
+    if (goes_on() && clock_.levels() > 0) mend_spots();
+    context_.kept_places.note(mesh_);
+    is_fitted_ = goes_on();
+    passes_.fit();
+    passes_.polish();
+    Repairer repairer(context_, report_.input_faces);
+    passes_.repair(repairer);
+    if (passes_.lower_distances() > 0) passes_.repair(repairer);
+    passes_.part_crossing_faces(repairer);
+  }
+
+  void mend_valences()
+  {
+    passes_.remove_low_valences();
+    passes_.flip(1, false);
+    if (recipe_.sweeps > 0) passes_.relax(CLEAN_UP_SWEEPS, Pull_back::after_last_sweep);
+  }
+
+  void mend_spots() { has_poor_spots_ = !passes_.mend_spots(); }
+
+  Remeshing_report finish()
+  {
+    if (report_.ending == Remeshing_report::Ending::cancelled && !is_fitted_) passes_.pull_back();
+    if (mesh_.has_free_slots()) mesh_.renumber<ConcurrencyTag>(mesh_.block_order());
+    report_.output_faces = mesh_.number_of_live_faces();
+    report_.target_edge_length = mesh_.unit() * context_.target_length;
+    report_.angles_after = angle_summary<ConcurrencyTag>(mesh_);
+    report_band(mesh_, Angle_bands(recipe_), report_);
+    return report_;
+  }
+
+  bool goes_on() const { return passes_.goes_on(); }
+
+  void print_state(const std::string& name) const
+  {
+    const Remeshing_report::Angles angles = angle_summary<ConcurrencyTag>(mesh_);
+    std::cout << name << ": " << mesh_.number_of_live_faces() << " faces, angles "
+              << angles.minimum << " to " << angles.maximum << ", average " << angles.average << "; so far "
+              << report_.splits << " splits, " << report_.collapses << " collapses, " << report_.flips << " flips, "
+              << report_.glides << " glides\n";
+  }
 
   Remeshing_context& context_;
   Remeshing_mesh& mesh_;
   const Recipe& recipe_;
   const Schedule& schedule_;
-  Relaxation relaxation_;
+  Run_clock clock_;
   Remeshing_report report_;
-  unsigned last_iteration_;              // how many are made, unless the run is cancelled
-  unsigned stages_ = 0, levels_ = 0;     // levels that the run has in all, and still to come
+  Pass_runner<ConcurrencyTag> passes_;
   std::vector<Index> held_;              // vertices that stay where they are in the iterations
   bool is_fitted_ = false;               // from then on, vertices need not lie on the surface
   bool is_stirred_up_ = false;           // once only
-  bool has_poor_spots_ = false;          // of which the spots' own iterations did not get the better
-  unsigned passes_ = 0;                  // done in this iteration, or on this level
-  double progress_ = 0;
   bool is_only_split_ = false;           // in this iteration
-  std::size_t wanted_faces_;             // on this level
+  bool has_poor_spots_ = false;          // of which the spots' own iterations did not get the better
   std::size_t operations_in_order_ = 0;  // splits and collapses before the last ordering
-  bool is_refined_ = false;              // by so much that the number of faces is not steered
-  std::size_t steerings_ = 0;            // iterations since the number of faces came near the wanted one
 };
-
-// The number of faces falls from iteration to iteration as the mesh grows regular; measured, it lies above its final
-// value by the factors in the table. What differs from that, half of it on a logarithmic scale, corrects the length.
-template <class ConcurrencyTag>
-void Remesher<ConcurrencyTag>::steer_to_face_count(double first_target_length)
-{
-  static constexpr double EXCESS[] = {1.15, 1.075, 1.045, 1.03, 1.018, 1.012, 1.007};
-  static constexpr std::size_t SIZE = sizeof(EXCESS) / sizeof(EXCESS[0]);
-  // Until the count is this near, the mesh is still being coarsened, and says nothing about the length. One that is
-  // refined comes from below, where the table does not hold, but the length that the run began with does, within 1%.
-  static constexpr double NEAR = 1.3;
-  if (wanted_faces_ == 0 || report_.iterations == 0 || is_late()) return;
-  const double ratio = double(mesh_.number_of_live_faces()) / double(wanted_faces_);
-  if (context_.is_graded()) {
-    // What grading and strips add, no table knows. Once the mesh has settled, the length takes it back step by step.
-    constexpr unsigned FIRST_STEP = 3;
-    constexpr double SMALLEST_STEP = 0.7, LARGEST_STEP = 1.6;
-    if (report_.iterations >= FIRST_STEP)
-      context_.target_length *= (std::max)(SMALLEST_STEP, (std::min)(LARGEST_STEP, std::sqrt(ratio)));
-    return;
-  }
-  is_refined_ = is_refined_ || ratio < 1 / NEAR;
-  if (is_refined_ || ratio > NEAR || ++steerings_ < 2) return;
-  const double expected = 1.01 * double(wanted_faces_) * EXCESS[(std::min)(steerings_ - 1, SIZE - 1)];
-  const double corrected = context_.target_length * std::sqrt(double(mesh_.number_of_live_faces()) / expected);
-  context_.target_length = (std::max)(0.88 * first_target_length, (std::min)(1.15 * first_target_length, corrected));
-}
-
-template <class ConcurrencyTag>
-void Remesher<ConcurrencyTag>::print_state(const std::string& name) const
-{
-  const Remeshing_report::Angles angles = angle_summary<ConcurrencyTag>(mesh_);
-  std::cout << name << ": " << mesh_.number_of_live_faces() << " faces, angles "
-            << angles.minimum << " to " << angles.maximum << ", average " << angles.average << "; so far "
-            << report_.splits << " splits, " << report_.collapses << " collapses, " << report_.flips << " flips, "
-            << report_.glides << " glides\n";
-}
 
 template <class ConcurrencyTag>
 Run_result run_passes(Remeshing_context& context, const Schedule& schedule)

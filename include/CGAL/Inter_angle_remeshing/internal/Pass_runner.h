@@ -1,0 +1,247 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_PASS_RUNNER_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_PASS_RUNNER_H
+
+#include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/Run_clock.h>
+#include <CGAL/Inter_angle_remeshing/internal/clean_up_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/curve_edges.h>
+#include <CGAL/Inter_angle_remeshing/internal/distance_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
+#include <CGAL/Inter_angle_remeshing/internal/face_count_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/fit_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/flip_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/glide_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/polish_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/regular_valence.h>
+#include <CGAL/Inter_angle_remeshing/internal/relax_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/repair_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/run_passes.h>
+#include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/spot_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/subdivision_pass.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Runs passes with what the recipe has for them, each where it was asked for and unless the run was cancelled; counts in the report
+// what they do, and tells the visitor and the callback.
+template <class ConcurrencyTag>
+class Pass_runner
+{
+  using Index = Remeshing_mesh::Index;
+
+  // The iteration from which on short edges of curves are there to stay.
+  static constexpr unsigned SETTLED_CURVES = 5;
+
+public:
+  Pass_runner(Remeshing_context& context, const Schedule& schedule, Run_clock& clock, Remeshing_report& report)
+    : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule), clock_(clock), report_(report),
+      relaxation_(context.recipe, context.curves, context.grading, context.noise)
+  {}
+
+  bool goes_on() const { return report_.ending == Remeshing_report::Ending::completed; }
+
+  // More than one round pays only where splits and collapses no longer stir up the valences.
+  unsigned flip_rounds() const { return clock_.is_late() ? recipe_.flip_rounds : (std::min)(1u, recipe_.flip_rounds); }
+
+  // Short edges that curves could do without are those of the input, at first: they tell nothing about details.
+  void measure_grading()
+  {
+    if (!(context_.target_length > 0) || !context_.is_graded()) return;
+    context_.grading.read<ConcurrencyTag>(mesh_, context_.sizing, context_.locator, context_.target_length);
+    if (!(context_.grading_rate > 0)) return;
+    const bool are_curves_settled = clock_.iterations() >= SETTLED_CURVES || !context_.may_collapse_constraints ||
+                                    context_.collapse_rule.is_never();
+    context_.grading.sink(mesh_, context_.target_length, context_.grading_rate, [&](Index v) {
+      return are_curves_settled || !has_surplus_curve_edge(context_, v); });
+  }
+
+  // Returns the number of splits. The limits of the edge lengths are those of the recipe, or wider by a factor.
+  std::size_t split_and_collapse(double widening = 1)
+  {
+    if (!goes_on() || !(context_.target_length > 0)) return 0;
+    measure_grading();
+    Edges_out_of_limits edges;
+    const std::size_t splits = run(Pass::split, [&]() {
+      edges = edges_out_of_limits(widening);
+      return split_pass<ConcurrencyTag>(context_, edges.too_long, edges.too_short);
+    });
+    report_.splits += splits;
+    if (!context_.collapse_rule.is_never())
+      report_.collapses += run(Pass::collapse, [&]() { return collapse_pass<ConcurrencyTag>(context_, edges.too_short); });
+    return splits;
+  }
+
+  void meet_face_count(std::size_t wanted_faces)
+  {
+    const std::size_t faces = mesh_.number_of_live_faces();
+    if (faces > wanted_faces && !context_.collapse_rule.is_never())
+      report_.collapses += run(Pass::collapse, [&]() { return collapse_surplus(context_, wanted_faces); });
+    if (faces < wanted_faces && !context_.split_rule.is_never())
+      report_.splits += run(Pass::split, [&]() { return split_for_deficit<ConcurrencyTag>(context_, wanted_faces); });
+  }
+
+  // Flips, and glides perhaps, by turns.
+  void flip(unsigned rounds, bool does_glide)
+  {
+    if (!goes_on() || context_.flip_rule.is_never()) return;
+    measure_regular_valences<ConcurrencyTag>(mesh_, recipe_.curvature_valences && clock_.is_half_done());
+    for (unsigned round = 0; round < rounds; ++round) {
+      report_.flips += run(Pass::flip, [&]() { return flip_pass<ConcurrencyTag>(context_); });
+      if (does_glide) report_.glides += run(Pass::glide, [&]() { return glide_pass<ConcurrencyTag>(context_); });
+    }
+  }
+
+  void relax(unsigned sweeps, Pull_back pull_back)
+  {
+    if (sweeps == 0) return;
+    run(Pass::relax, [&]() {
+      for_each_vertex_of_a_visitor([&](Mesh_vertex v) { context_.visitor.before_move(v, mesh_); });
+      const std::size_t count = relaxation_.run<ConcurrencyTag>(mesh_, context_.projector, sweeps, pull_back, curve_tolerance());
+      for_each_vertex_of_a_visitor([&](Mesh_vertex v) { context_.visitor.after_move(v, mesh_); });
+      return count;
+    });
+  }
+
+  void subdivide()
+  {
+    report_.splits += run(Pass::subdivide, [&]() { return subdivision_pass<ConcurrencyTag>(context_); });
+  }
+
+  // Returns whether no poor spot is left.
+  bool mend_spots()
+  {
+    Spot_iteration<ConcurrencyTag> spots(context_, relaxation_);
+    run(Pass::mend, [&]() { return spots.run(curve_tolerance(), report_); });
+    return spots.is_done();
+  }
+
+  void remove_low_valences()
+  {
+    if (context_.target_length > 0 && !context_.collapse_rule.is_never())
+      report_.collapses += run(Pass::clean_up, [&]() { return clean_up_pass<ConcurrencyTag>(context_); });
+  }
+
+  void fit()
+  {
+    if (context_.projector.has_faces() && recipe_.fits > 0 && recipe_.sweeps > 0)
+      run(Pass::fit, [&]() { return fit_pass<ConcurrencyTag>(context_, context_.target_length, recipe_.fits); });
+  }
+
+  void polish()
+  {
+    if (recipe_.sweeps > 0) run(Pass::polish, [&]() { return polish_pass(context_); });
+  }
+
+  // Returns the number of spots where the distance is smaller now.
+  std::size_t lower_distances()
+  {
+    if (!context_.projector.is_input() || !(recipe_.distance_tolerance > 0) || recipe_.sweeps == 0 ||
+        !(context_.target_length > 0) || is_finer_than_surface(context_, context_.target_length)) return 0;
+    return run(Pass::distance, [&]() { return distance_pass(context_); });
+  }
+
+  void repair(Repairer& repairer)
+  {
+    if (repairs()) report_.repairs += run(Pass::repair, [&]() { return repairer.run(); });
+  }
+
+  // Chords much shorter than the surface's own do not lead through another sheet, but where the mesh is a wreck.
+  void part_crossing_faces(Repairer& repairer)
+  {
+    if (!goes_on() || !repairs() || (context_.projector.has_faces() && !repairer.leaves_bad_faces() &&
+                                     is_finer_than_surface(context_, context_.target_length))) return;
+    report_.are_crossing_faces_known = true;
+    report_.repairs += run(Pass::repair, [&]() {
+      return repairer.part_crossing_faces<ConcurrencyTag>(report_.crossing_faces); });
+  }
+
+  // Puts vertices that relaxation left a little off the surface onto it. A run that was cancelled does that, too, but tells nobody.
+  void pull_back()
+  {
+    relaxation_.run<ConcurrencyTag>(mesh_, context_.projector, 0, Pull_back::after_last_sweep, curve_tolerance());
+  }
+
+private:
+  struct Edges_out_of_limits
+  {
+    std::vector<Index> too_long, too_short;
+  };
+
+  Edges_out_of_limits edges_out_of_limits(double widening) const
+  {
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    const double low = context_.collapse_rule.is_never() ? 0 : context_.squared_shortness_limit() / (widening * widening);
+    const double high = context_.split_rule.is_never() ? inf : context_.squared_length_limit() * (widening * widening);
+    Edges_out_of_limits result;
+    const auto sort_in = [&](const std::vector<Index>& edges, const auto& is_too_short) {
+      for (const Index h : edges) (is_too_short(h) ? result.too_short : result.too_long).push_back(h);
+    };
+    if (context_.grading.is_uniform()) {
+      sort_in(edges_out_of<ConcurrencyTag>(mesh_, low, high), [&](Index h) { return mesh_.squared_edge_length(h) < low; });
+      return result;
+    }
+    const auto scale = [&](Index h) {
+      const double part = context_.grading.part(mesh_.origin(h), mesh_.target(h));
+      return part * part;
+    };
+    const auto is_too_short = [&](Index h) { return mesh_.squared_edge_length(h) < low * scale(h); };
+    const auto is_out_of_limits = [&](Index h) {
+      const double l = mesh_.squared_edge_length(h), s = scale(h);
+      return l < low * s || l > high * s;
+    };
+    sort_in(edges_where<ConcurrencyTag>(mesh_, is_out_of_limits), is_too_short);
+    return result;
+  }
+
+  bool repairs() const { return recipe_.repair && recipe_.sweeps > 0 && context_.target_length > 0; }
+
+  double curve_tolerance() const { return CURVE_TOLERANCE * context_.target_length; }
+
+  template <class Function>
+  void for_each_vertex_of_a_visitor(const Function& function) const
+  {
+    if (context_.visitor.listens())
+      for (const Mesh_vertex v : vertices(mesh_))
+        if (mesh_.is_free(v.index()) || mesh_.is_sliding(v.index())) function(v);
+  }
+
+  // Returns what the pass returns, the number of operations.
+  template <class Function>
+  std::size_t run(Pass pass, const Function& function)
+  {
+    if (!goes_on()) return 0;
+    context_.visitor.start_pass(pass, mesh_);
+    const std::size_t count = function();
+    context_.visitor.end_pass(pass, mesh_, count);
+    clock_.end_pass(flip_rounds());
+    if (schedule_.callback && !schedule_.callback(clock_.progress())) report_.ending = Remeshing_report::Ending::cancelled;
+    return count;
+  }
+
+  Remeshing_context& context_;
+  Remeshing_mesh& mesh_;
+  const Recipe& recipe_;
+  const Schedule& schedule_;
+  Run_clock& clock_;
+  Remeshing_report& report_;
+  Relaxation relaxation_;
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_PASS_RUNNER_H
