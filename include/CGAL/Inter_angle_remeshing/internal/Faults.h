@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_FAULTS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FAULTS_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Face_grid.h>
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/Surface_crossings.h>
+#include <CGAL/Inter_angle_remeshing/internal/angle_bands.h>
+#include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
+#include <CGAL/Inter_angle_remeshing/internal/crossings.h>
+#include <CGAL/Inter_angle_remeshing/internal/folds.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh_regions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// What the repair mends: angles out of their bands and folds, or faces that cross others, there or elsewhere than the surface does.
+enum class Fault { angle, fold, crossing, inherited_crossing };
+constexpr std::size_t NUMBER_OF_FAULTS = 4;
+
+inline bool is_at_crossing(Fault fault) { return fault == Fault::crossing || fault == Fault::inherited_crossing; }
+
+// Finds the faces that have faults, and tells how bad these are.
+class Faults
+{
+  using Index = Remeshing_mesh::Index;
+
+  static constexpr double TOUCH = 0.05;      // degrees that every bad face counts more
+  // What two faces that cross each other count, and what the length of the segment in which they do, in target lengths; less where
+  // the surface crosses itself: angles are not given up for what cannot be parted.
+  static constexpr double CROSSING = 200, CROSSING_LENGTH = 6000, INHERITED_CROSSING = 100;
+  // What an operation near a face changes lies within so many rings of it.
+  static constexpr int REACH = 4;
+  // So many looks for every face, and for so many more, at what may be near are enough. Where sheets lie on each other by the dozen,
+  // thousands are near each; the meshes of CGAL take at most 16.
+  static constexpr std::size_t LOOKS_PER_FACE = 100, FURTHER_FACES = 1000;
+
+public:
+  struct Bad_faces
+  {
+    std::vector<Index> faces;            // what is to be mended first comes first
+    double score = 0;
+  };
+
+  explicit Faults(const Remeshing_context& context)
+    : context_(context), mesh_(context.mesh), bands_(context.recipe), leaving_(context)
+  {}
+
+  // Faces with angles out of their bands, and folds; the worst ones first.
+  Bad_faces find_angles_and_folds()
+  {
+    finds_crossings_ = false;
+    std::vector<std::pair<double, Index>> bad;
+    for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f)
+      if (mesh_.is_face(f))
+        if (const double v = violation(f); v > 0) bad.emplace_back(-v, f);
+    std::sort(bad.begin(), bad.end());
+    Bad_faces result;
+    for (const auto& [minus_violation, f] : bad) {
+      result.faces.push_back(f);
+      result.score += score_of_violation(-minus_violation);
+    }
+    return result;
+  }
+
+  // Faces that cross others; their number is `crossing`, for those where the surface crosses itself are only mended where that is easy,
+  // after the others.
+  template <class ConcurrencyTag>
+  Bad_faces find_crossings(std::size_t& crossing)
+  {
+    finds_crossings_ = true;
+    const std::vector<std::pair<Index, Index>> pairs = crossing_faces<ConcurrencyTag>(mesh_);
+    Bad_faces result{faces_of(pairs)};
+    crossing = result.faces.size();
+    if (pairs.empty()) return result;
+    if (!crossings_of_surface_) crossings_of_surface_ = Surface_crossings::find<ConcurrencyTag>(context_);
+    for (const auto& [f, g] : pairs) result.score += score_of_crossing(f, g);
+    const auto inherited = std::stable_partition(result.faces.begin(), result.faces.end(), [&](Index f) { return !is_inherited(f); });
+    if (crossings_of_surface_->are_small(context_.target_length)) sort_by_crossing_lengths(inherited, result.faces.end(), pairs);
+    else result.faces.erase(inherited, result.faces.end());
+    grid_.emplace(mesh_, context_.largest_length());
+    return result;
+  }
+
+  // The fault of face f, if it has one of those that were looked for last.
+  Fault fault_of(Index f) const
+  {
+    if (finds_crossings_) return is_inherited(f) ? Fault::inherited_crossing : Fault::crossing;
+    return fold_violation(context_, f) > 0 ? Fault::fold : Fault::angle;
+  }
+  bool is_bad(Index f) { return finds_crossings_ ? are_crossed(mesh_, *grid_, {f}, marks_, looks_) : violation(f) > 0; }
+
+  bool has_looked_enough() const { return looks_ > LOOKS_PER_FACE * (mesh_.number_of_live_faces() + FURTHER_FACES); }
+
+  // Nothing has been tried for face f yet.
+  void start(Index f)
+  {
+    is_scored_.start(mesh_.number_of_face_slots());
+    score_before_.resize((std::max)(score_before_.size(), mesh_.number_of_face_slots()));
+    crossings_before_.clear();
+    if (!finds_crossings_) return;
+    const auto& corner = mesh_.face_record(f).vertex;
+    const std::vector<Index> within_reach = faces_around(mesh_, ball(mesh_, {corner[0], corner[1], corner[2]}, REACH, marks_));
+    near_ = faces_near(mesh_, *grid_, within_reach, marks_, looks_);
+    for_each_crossing_near(within_reach, [&](Index g, Index other) {
+      crossings_before_.push_back({g, other, score_of_crossing(g, other)}); });
+  }
+
+  // How bad these faces, in order, were before anything was tried since the last start().
+  double score_before(const std::vector<Index>& faces)
+  {
+    const auto is_one = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), f); };
+    double sum = 0;
+    for (const Crossing& c : crossings_before_)
+      if (is_one(c.face) || is_one(c.other)) sum += c.score;
+    for (const Index f : faces) {
+      if (is_scored_.visit(std::size_t(f))) score_before_[f] = score_of_violation(violation(f));
+      sum += score_before_[f];
+    }
+    return sum;
+  }
+
+  // How bad they are.
+  double score(const std::vector<Index>& faces)
+  {
+    double sum = 0;
+    leaving_.start();
+    if (finds_crossings_) for_each_crossing_near(faces, [&](Index f, Index g) { sum += score_of_crossing(f, g); });
+    for (const Index f : faces)
+      if (mesh_.is_face(f)) sum += score_of_violation(internal::violation(mesh_, bands_, f, leaving_));
+    return sum;
+  }
+
+private:
+  struct Crossing
+  {
+    Index face, other;
+    double score;
+  };
+
+  double violation(Index f) const { return internal::violation(context_, bands_, f); }
+  static double score_of_violation(double v) { return v > 0 ? TOUCH + v + v * v : 0; }
+
+  bool is_inherited(Index f) const { return crossings_of_surface_->are_near(context_, f); }
+  double crossing_length_in_targets(Index f, Index g) const
+  {
+    return crossing_length(mesh_, f, g) / context_.length_at(mesh_.face_record(f).vertex[0]);
+  }
+  double score_of_crossing(Index f, Index g) const
+  {
+    if (is_inherited(f) && is_inherited(g)) return INHERITED_CROSSING;
+    return CROSSING + CROSSING_LENGTH * crossing_length_in_targets(f, g);
+  }
+
+  // Those first that cross others in the shortest segments.
+  void sort_by_crossing_lengths(std::vector<Index>::iterator begin, std::vector<Index>::iterator end,
+                                const std::vector<std::pair<Index, Index>>& pairs) const
+  {
+    std::vector<double> longest(mesh_.number_of_face_slots(), 0);
+    for (const auto& [f, g] : pairs) {
+      const double l = crossing_length_in_targets(f, g);
+      for (const Index x : {f, g}) longest[x] = (std::max)(longest[x], l);
+    }
+    std::stable_sort(begin, end, [&](Index f, Index g) { return longest[f] < longest[g]; });
+  }
+
+  // Calls `function(face, other)` for the pairs of faces that cross each other, of which one is among these.
+  template <class Function>
+  void for_each_crossing_near(std::vector<Index> faces, const Function& function) const
+  {
+    const auto is_dead = [&](Index f) { return !mesh_.is_face(f); };
+    faces.erase(std::remove_if(faces.begin(), faces.end(), is_dead), faces.end());
+    std::vector<Index> others = near_;
+    others.insert(others.end(), faces.begin(), faces.end());
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    others.erase(std::remove_if(others.begin(), others.end(), is_dead), others.end());
+    for_each_crossing(mesh_, faces, others, [&](Index f, Index g) {
+      function(f, g);
+      return true;
+    });
+  }
+
+  const Remeshing_context& context_;
+  const Remeshing_mesh& mesh_;
+  Angle_bands bands_;
+  Leaving_faces leaving_;
+  bool finds_crossings_ = false;
+  std::optional<Surface_crossings> crossings_of_surface_;
+  std::optional<Face_grid> grid_;              // where faces may cross others
+  std::size_t looks_ = 0;                      // at faces that may be near others
+  std::vector<Index> near_;                    // the faces that may cross those around the face at hand
+  std::vector<Crossing> crossings_before_;     // of the faces around the face at hand
+  std::vector<double> score_before_;           // by face; without crossings
+  Visit_marks is_scored_;                      // whether that is known
+  Visit_marks marks_;
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_FAULTS_H

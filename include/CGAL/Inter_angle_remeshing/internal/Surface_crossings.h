@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_SURFACE_CROSSINGS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SURFACE_CROSSINGS_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Point_grid.h>
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
+#include <CGAL/Inter_angle_remeshing/internal/surface_walk.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// The faces of these pairs, each once, in order.
+inline std::vector<Remeshing_mesh::Index> faces_of(const std::vector<std::pair<Remeshing_mesh::Index, Remeshing_mesh::Index>>& pairs)
+{
+  std::vector<Remeshing_mesh::Index> result;
+  for (const auto& [f, g] : pairs) result.insert(result.end(), {f, g});
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+// Where the surface crosses itself: a mesh of it may, too. Corners of its faces that do, in units of the mesh.
+class Surface_crossings
+{
+  using Index = Remeshing_mesh::Index;
+
+  // Where the surface crosses itself within so many target lengths, or edges of its own, faces may cross. Places that are this near
+  // to each other, of which a surface finer than the target has any number, are one.
+  static constexpr double SAME_PLACE = 1.5, ONE_PLACE = 0.1;
+  // What a surface whose edges are shorter than the target by this factor crosses is small.
+  static constexpr double COARSE = 1.5;
+
+public:
+  template <class ConcurrencyTag>
+  static Surface_crossings find(const Remeshing_context& context)
+  {
+    if (!context.projector.has_faces()) return Surface_crossings(context, 0);
+    const Reference_surface& surface = *context.projector.surface;
+    const double factor = context.projector.factor;
+    double sum = 0;
+    for (Index f = 0; f < Index(surface.number_of_faces()); ++f) sum += mean_edge_length(surface, f);
+    Surface_crossings result(context, sum / (double(surface.number_of_faces()) * factor));
+    for (const Index f : faces_of(crossing_faces<ConcurrencyTag>(surface)))
+      for (const Index v : surface.face_record(f).vertex) {
+        const Vector3 p = (1 / factor) * surface.position(v);
+        if (!result.places_.has_near(p, ONE_PLACE * context.target_length)) result.places_.insert(p);
+      }
+    return result;
+  }
+
+  // Whether the surface crosses itself near face f of the mesh.
+  bool are_near(const Remeshing_context& context, Index f) const
+  {
+    const auto& v = context.mesh.face_record(f).vertex;
+    return std::any_of(v, v + 3, [&](Index u) {
+      return places_.has_near(context.mesh.position(u), SAME_PLACE * (std::max)(edge_length_, context.length_at(u))); });
+  }
+
+  // Beside edges of the target length.
+  bool are_small(double target_length) const { return target_length >= COARSE * edge_length_; }
+
+private:
+  Surface_crossings(const Remeshing_context& context, double edge_length)
+    : places_(SAME_PLACE * (std::max)(edge_length, context.largest_length())), edge_length_(edge_length)
+  {}
+
+  Point_grid places_;
+  double edge_length_;                   // the mean of the surface: what is bent over its faces crosses that far elsewhere
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_SURFACE_CROSSINGS_H
