@@ -64,7 +64,7 @@ public:
     std::vector<Index> all;
     for (Index v = 0; v < Index(part_.size()); ++v)
       if (mesh.is_vertex(v)) all.push_back(v);
-    bound_slope(mesh, target_length, STEEPEST_FIELD, all, [](Index) { return true; });
+    lower_around(mesh, target_length, STEEPEST_FIELD, all, [](Index) { return true; });
     check_number_of_faces(mesh, target_length);
     field_ = part_;
   }
@@ -91,7 +91,7 @@ public:
       part_[v] = float((std::max)(SMALLEST * before, bound));
       sunk.push_back(v);
     }
-    bound_slope(mesh, target_length, rate, sunk, [&](Index v) { return !mesh.is_on_curve(v); });
+    lower_around(mesh, target_length, rate, sunk, [&](Index v) { return !mesh.is_on_curve(v); });
   }
 
 private:
@@ -137,7 +137,7 @@ private:
   // Lowers the parts beside the vertices of the queue that rise faster than by `rate` over a unit of length, as far as
   // `may_fall(v)` holds.
   template <class Predicate>
-  void bound_slope(const Remeshing_mesh& mesh, double target_length, double rate, std::vector<Index>& queue,
+  void lower_around(const Remeshing_mesh& mesh, double target_length, double rate, std::vector<Index>& queue,
                    const Predicate& may_fall)
   {
     for (std::size_t i = 0; i < queue.size(); ++i) {
