@@ -541,6 +541,63 @@ void sliding_can_be_turned_off()
   CHECK(meshes::Picture<Mesh>(by_default) == meshes::Picture<Mesh>(relaxed));
 }
 
+// So, too, on features that nobody marked.
+void vertices_of_found_features_stay_where_asked_for()
+{
+  // squares of uneven width: the columns of a cube moved towards one side
+  Soup soup = meshes::cube(10);
+  for(auto& p : soup.points)
+    for(double& x : p)
+      x += .3 * x * (1 - x);
+  const Mesh input = meshes::to_mesh<Mesh>(soup);
+  std::set<Point> sharp;
+  for(const Edge e : input.edges())
+    if(dihedral_angle(e, input) > 40)
+      sharp.insert({input.point(input.vertex(e, 0)), input.point(input.vertex(e, 1))});
+  CHECK(sharp.size() == 12 * 9 + 8);
+  for(const bool relaxes : {false, true})
+  {
+    Mesh m = input;
+    const auto report = IAR::isotropic_remeshing(mean_edge_length(input), m, parameters::relax_constraints(relaxes));
+    CHECK(report.features == Features::all_sharp_edges && report.feature_edges == 120);
+    std::size_t kept = 0, moved = 0;
+    for(const Vertex v : m.vertices())
+      if(std::size_t(v) < input.number_of_vertices() && sharp.count(input.point(v)) > 0)
+        (m.point(v) == input.point(v) ? kept : moved) += 1;
+    CHECK_MESSAGE(relaxes ? moved > kept : moved == 0 && kept > 60, relaxes << ": " << kept << " kept, " << moved << " moved");
+  }
+}
+
+// What the user marks stays straight where the surface between coarse facets is a smooth one: by an edge map, and as the border of
+// patches, beside features that are found.
+void borders_of_patches_stay_on_their_polylines()
+{
+  const Mesh input = meshes::to_mesh<Mesh>(meshes::sphere(2));
+  const double length = mean_edge_length(input) / 4;
+  const auto centre = [](const Mesh& m, Face f) {
+    const auto p = corners(f, m);
+    return CGAL::centroid(p[0], p[1], p[2]);
+  };
+  Mesh m = input;
+  auto patch = m.add_property_map<Face, int>("f:patch", 0).first;
+  for(const Face f : m.faces())
+    patch[f] = centre(m, f).z() > 0;
+  const auto is_between_patches = [&](Edge e) {
+    return patch[m.face(m.halfedge(e, 0))] != patch[m.face(m.halfedge(e, 1))];
+  };
+  const std::vector<Segment_3> border = edges_where(m, is_between_patches);
+  const auto report = IAR::isotropic_remeshing(length, m, parameters::face_patch_map(patch));
+  CHECK(border.size() > 10 && report.feature_edges == border.size() && report.features == Features::marked);
+  const Segments polyline(border, length);
+  double furthest = 0, off_facets = 0;
+  for(const Segment_3& s : edges_where(m, is_between_patches))
+    furthest = std::max({furthest, polyline.distance(s.source()), polyline.distance(s.target())});
+  CHECK_MESSAGE(furthest < 1e-9, furthest / length);
+  for(const Vertex v : m.vertices())
+    off_facets = std::max(off_facets, std::sqrt((m.point(v) - CGAL::ORIGIN).squared_length()));
+  CHECK_MESSAGE(off_facets > 1 - 1e-3 && IAR::surface_distance(input, m).hausdorff() > .1 * length, off_facets);
+}
+
 // Corners by turn and by degree, however coarse the target.
 void corners_stay()
 {
@@ -1257,6 +1314,8 @@ void the_energy_of_angles_has_its_gradient()
 {
   namespace internal = IAR::internal;
   const internal::Angle_band band(44, 85);
+  const internal::Vector3 somewhere{.3, .4, .5};
+  CHECK(!band.holds(somewhere, somewhere, somewhere));
   std::mt19937 random(11);
   std::uniform_real_distribution<> jitter(-.12, .12);
   for(const bool has_border : {false, true})
@@ -1446,6 +1505,8 @@ int main()
   what_is_marked_rules();
   curves_stay_on_their_polylines();
   sliding_can_be_turned_off();
+  vertices_of_found_features_stay_where_asked_for();
+  borders_of_patches_stay_on_their_polylines();
   corners_stay();
   rims_stay_closed_and_become_round();
   projectors_keep_to_their_patches();

@@ -814,6 +814,19 @@ void a_policy_is_asked_by_the_graded_length()
       CHECK(std::all_of(told.begin(), told.end(), [&](const Told& t) { return t.target_length == length; }));
 }
 
+// With the length 0 nothing is split or collapsed, and flips are asked for without a target.
+void without_a_length_no_target_is_known()
+{
+  Mesh m = uneven_mesh();
+  std::size_t asked = 0, known = 0;
+  IAR::isotropic_remeshing(0., m, parameters::do_flip([&](const auto& edge) {
+    ++asked;
+    known += edge.has_target_length() || edge.relative_length() != 0;
+    return true;
+  }));
+  CHECK_MESSAGE(asked > 0 && known == 0, known << " of " << asked);
+}
+
 void input_vertices_are_the_users_and_new_ones_have_none()
 {
   Mesh m = uneven_mesh();
@@ -967,6 +980,7 @@ int main()
   a_policy_that_permits_all_is_no_policy();
   a_policy_sees_the_mesh_as_the_user_has_it();
   a_policy_is_asked_by_the_graded_length();
+  without_a_length_no_target_is_known();
   input_vertices_are_the_users_and_new_ones_have_none();
   what_a_policy_denies_stays_as_it_was();
   transient_flips_are_asked_for_as_such();

@@ -54,9 +54,7 @@ struct Default_visitor
   /// called before a pass.
   template <class Mesh>
   void start_pass(Pass, const Mesh&) {}
-  /// called after a pass, with the number of operations that it did: edges split, collapsed or flipped, glides,
-  /// vertices relaxed, vertices in the spots that were mended, vertices moved by the fit, spots where the distance was lowered,
-  /// operations of the repair.
+  /// called after a pass, with the number of operations that it did, see `RemeshingVisitor::end_pass()`.
   template <class Mesh>
   void end_pass(Pass, const Mesh&, std::size_t /* count */) {}
 
@@ -83,10 +81,10 @@ struct Default_visitor
   template <class Halfedge, class Mesh>
   void after_flip(Halfedge, const Mesh&) {}
 
-  /// called for each vertex that is about to be relaxed, before a pass of relaxation.
+  /// called for each vertex that is about to be relaxed, before a pass `Pass::relax`.
   template <class Vertex, class Mesh>
   void before_move(Vertex, const Mesh&) {}
-  /// called for each vertex that may have been moved, after a pass of relaxation.
+  /// called for each vertex that may have been moved, after a pass `Pass::relax`.
   template <class Vertex, class Mesh>
   void after_move(Vertex, const Mesh&) {}
 };

@@ -25,7 +25,8 @@ struct Remeshing_report
     completed,        ///< all iterations were made, or the mesh had settled before
     cancelled,        ///< the callback returned `false`; the mesh holds the result so far, or is unchanged if that was
                       ///< before the finest level of a run with several, see `Recipe::multi_level`
-    nothing_to_do     ///< the range is empty, or no iteration was asked for; the mesh is unchanged
+    nothing_to_do     ///< the range is empty, or no iteration was asked for; the mesh is unchanged, and neither features nor bands
+                      ///< were looked at
   };
 
   /// which edges were kept as features, beside the border
@@ -33,9 +34,9 @@ struct Remeshing_report
   {
     none,             ///< none: found none, or none asked for
     marked,           ///< those marked by `edge_is_constrained_map`, `face_patch_map` or `sharpness_angle`
-    all_sharp_edges,  ///< found by themselves: the model is a CAD model, every edge of 40 degrees and more, but for reliefs too fine
+    all_sharp_edges,  ///< found by themselves, beside the borders of patches: the model is a CAD model, every edge of 40 degrees and more, but for reliefs too fine
                       ///< for the target length, and narrow fillets
-    outstanding_edges ///< found by themselves: long chains of edges that stand out of their surroundings, creases of coarse
+    outstanding_edges ///< found by themselves, beside the borders of patches: long chains of edges that stand out of their surroundings, creases of coarse
                       ///< models, narrow fillets of parts without a sharp edge
   };
 
@@ -78,7 +79,7 @@ struct Remeshing_report
   double target_edge_length = 0;
   /// which edges were kept as features
   Features features = Features::none;
-  /// the number of these edges in the range before
+  /// the number of these edges in the range before, marked ones and those that were found
   std::size_t feature_edges = 0;
   /// the number of faces in the range before
   std::size_t input_faces = 0;
@@ -97,8 +98,8 @@ struct Remeshing_report
   /// the number of faces of the range that cross others of it in the end, as many do where the input crosses itself; two that share
   /// an edge do not; 0 where they were not looked for
   std::size_t crossing_faces = 0;
-  /// whether they were looked for: `Recipe::repair` is on, and the target length is not much less than the altitudes of the surface's
-  /// faces, or a face is out of the band
+  /// whether they were looked for: `Recipe::clean_up` and `Recipe::repair` are on, vertices may move, there is a length, and it is not
+  /// much less than the altitudes of the surface's faces, or a face is out of the band
   bool are_crossing_faces_known = false;
   /// the angles of the range before
   Angles angles_before;

@@ -62,7 +62,7 @@ number of faces of the range and of the result, per iteration.
 \cgalNamedParamsBegin
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{the largest number of iterations of splits, collapses, flips and relaxation: once one of them does
-      hardly anything, two more are made}
+      hardly anything, two more are made; with length 0, as many as asked for}
     \cgalParamType{a number type; a fraction is dropped}
     \cgalParamDefault{10}
   \cgalParamNEnd
@@ -145,15 +145,15 @@ number of faces of the range and of the result, per iteration.
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{relax_constraints}
-    \cgalParamDescription{whether vertices of the input on constrained edges and on the border slide along the polylines
-                          that these form. With `false` they stay where they are or are collapsed; vertices that are
-                          made there slide all the same. Corners never move: ends and junctions of polylines, and turns
+    \cgalParamDescription{whether vertices of the input on constrained edges, found features included, and on the border
+                          slide along the polylines that these form. With `false` they stay where they are or are
+                          collapsed; vertices that are made there slide all the same. Corners never move: ends and junctions of polylines, and turns
                           of 45 degrees and more (see Section \ref iarCurves).}
     \cgalParamType{bool}
     \cgalParamDefault{`true`, other than in %Polygon_mesh_processing: triangles beside curves are as good as elsewhere}
   \cgalParamNEnd
   \cgalParamNBegin{callback}
-    \cgalParamDescription{called after each pass with the progress in [0, 1]. If it returns `false`, the run stops, and the
+    \cgalParamDescription{called after each pass with the progress in [0, 1], at last with 1. If it returns `false`, the run stops, and the
                           mesh holds the result so far; before the finest level of a run that began on a coarser one
                           (`Recipe::multi_level`) it is unchanged.}
     \cgalParamType{convertible to `std::function<bool(double)>`}

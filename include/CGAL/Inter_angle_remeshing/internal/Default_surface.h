@@ -5,10 +5,10 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_DEFAULT_SURFACE_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_DEFAULT_SURFACE_H
 
-#include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
 #include <CGAL/Inter_angle_remeshing/internal/Input_curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/Mls_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/feature_detection.h>
+#include <CGAL/Inter_angle_remeshing/internal/input_kind.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
 #include <CGAL/Inter_angle_remeshing/internal/sizing.h>
 
@@ -20,17 +20,6 @@
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
-
-// What the dihedral angles tell about the input.
-struct Input_kind
-{
-  bool is_cad;                   // the dihedral angles tell a CAD model
-  bool has_found_features;       // its sharp edges were found by themselves, and are constrained
-  Remeshing_report::Features features;
-  std::size_t feature_edges;
-  double saddle_excess;          // how noisy it is, see Feature_detector::saddle_excess()
-  Rounded_edges rounded_edges;   // among the features
-};
 
 // The surface's faces by the input faces that they are; negative for those of the input that it does not have.
 inline std::vector<Remeshing_mesh::Index> faces_by_source(const Reference_surface& surface)
@@ -72,7 +61,7 @@ struct Default_surface
     }
     if (!(large_ones > LEAST_SHARE * all)) return;
     const std::vector<Remeshing_mesh::Index> creases =
-      kind.has_found_features ? std::vector<Remeshing_mesh::Index>() : find_features(mesh);
+      kind.searches_features ? std::vector<Remeshing_mesh::Index>() : find_features(mesh);
     smooth.emplace(facets, creases, FACET_RATIO * target * double(smallest_part));
   }
   Default_surface(const Default_surface&) = delete;     // `smooth` refers to `facets`
@@ -87,7 +76,7 @@ struct Default_surface
 
   // Bends the curves of the mesh into those of the surface, where the mesh as a whole is refined by so much: a border is
   // measured against its polyline before that. Edges that the user marked stay straight.
-  void bend(Input_curves& curves, double mean_length, const Remeshing_mesh& mesh, const Input_kind& kind) const
+  void bend(Input_curves& curves, double mean_length, const Remeshing_mesh& mesh) const
   {
     if (!smooth || mean_length < SMOOTH_RATIO * target_length) return;
     const Projection blend = projection();
@@ -95,7 +84,7 @@ struct Default_surface
       const Remeshing_mesh::Index o = facets.opposite(h);
       double share = blend.share_of_mls(blend.facet_size(h >> 2));
       if (o >= 0) share = (share + blend.share_of_mls(blend.facet_size(o >> 2))) / 2;
-      if (mesh.is_constrained(h) && !kind.has_found_features) return std::array<Vector3, 2>{};
+      if (mesh.is_marked_by_user(h)) return std::array<Vector3, 2>{};
       std::array<Vector3, 2> offsets = smooth->curve_offsets(h);
       for (Vector3& d : offsets) d = share * d;
       return offsets;

@@ -137,7 +137,7 @@ public:
   void fit()
   {
     if (context_.projector.has_faces() && recipe_.fits > 0 && recipe_.sweeps > 0)
-      run(Pass::fit, [&]() { return fit_pass<ConcurrencyTag>(context_, context_.target_length, recipe_.fits); });
+      run(Pass::fit, [&]() { return fit_pass<ConcurrencyTag>(context_, recipe_.fits); });
   }
 
   void polish()
@@ -149,7 +149,7 @@ public:
   std::size_t lower_distances()
   {
     if (!context_.projector.is_input() || !(recipe_.distance_tolerance > 0) || recipe_.sweeps == 0 ||
-        !(context_.target_length > 0) || is_finer_than_surface(context_, context_.target_length)) return 0;
+        !(context_.target_length > 0) || context_.is_finer_than_surface()) return 0;
     return run(Pass::distance, [&]() { return distance_pass(context_); });
   }
 
@@ -162,7 +162,7 @@ public:
   void part_crossing_faces(Repairer& repairer)
   {
     if (!goes_on() || !repairs() || (context_.projector.has_faces() && !repairer.leaves_bad_faces() &&
-                                     is_finer_than_surface(context_, context_.target_length))) return;
+                                     context_.is_finer_than_surface())) return;
     report_.are_crossing_faces_known = true;
     report_.repairs += run(Pass::repair, [&]() {
       return repairer.part_crossing_faces<ConcurrencyTag>(report_.crossing_faces); });
@@ -172,6 +172,12 @@ public:
   void pull_back()
   {
     relaxation_.run<ConcurrencyTag>(mesh_, context_.projector, 0, Pull_back::after_last_sweep, curve_tolerance());
+  }
+
+  // Tells the callback, if it does not know it yet, that nothing is left to do.
+  void tell_end()
+  {
+    if (goes_on() && clock_.progress() < 1) tell_progress(1);
   }
 
 private:
@@ -227,8 +233,13 @@ private:
     const std::size_t count = function();
     context_.visitor.end_pass(pass, mesh_, count);
     clock_.end_pass(flip_rounds());
-    if (schedule_.callback && !schedule_.callback(clock_.progress())) report_.ending = Remeshing_report::Ending::cancelled;
+    tell_progress(clock_.progress());
     return count;
+  }
+
+  void tell_progress(double progress)
+  {
+    if (schedule_.callback && !schedule_.callback(progress)) report_.ending = Remeshing_report::Ending::cancelled;
   }
 
   Remeshing_context& context_;

@@ -40,7 +40,7 @@ class Remesher
 
 public:
   Remesher(Remeshing_context& context, const Schedule& schedule)
-    : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule), clock_(schedule.iterations),
+    : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule), clock_(schedule.iterations, context.recipe.clean_up),
       passes_(context, schedule, clock_, report_)
   {}
 
@@ -314,12 +314,13 @@ private:
     const std::size_t fraction = faces < 100000 ? 4 : faces < 1000000 ? 8 : 32;
     if (operations - operations_in_order_ <= faces / fraction) return;
     mesh_.renumber<ConcurrencyTag>(morton_order(mesh_));
-    if (!context_.sizing.is_uniform()) passes_.measure_grading();
+    passes_.measure_grading();
     operations_in_order_ = operations;
   }
 
   void clean_up()
   {
+    clock_.start_clean_up();
     passes_.measure_grading();
     mend_valences();
     if (goes_on() && clock_.levels() > 0) mend_spots();
@@ -350,6 +351,7 @@ private:
     report_.target_edge_length = mesh_.unit() * context_.target_length;
     report_.angles_after = angle_summary<ConcurrencyTag>(mesh_);
     report_band(mesh_, Angle_bands(recipe_), report_);
+    passes_.tell_end();
     return report_;
   }
 

@@ -14,6 +14,8 @@
 #include <CGAL/Inter_angle_remeshing/internal/kept_places.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
 
+#include <limits>
+
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
@@ -68,6 +70,16 @@ struct Remeshing_context
   double squared_length_limit() const { return squared(recipe.split_ratio * target_length); }
   double squared_shortness_limit() const { return squared(recipe.collapse_ratio * target_length); }
 
+  // Whether the target length is so much less than the mean altitude of the surface's faces that chords are too short to matter.
+  bool is_finer_than_surface() const
+  {
+    constexpr double FINE = 0.5;
+    const Reference_surface& surface = *projector.surface;
+    double sum = 0;
+    for (Index f = 0; f < Index(surface.number_of_faces()); ++f) sum += surface.least_altitude(f);
+    return target_length < FINE * sum / (double(surface.number_of_faces()) * projector.factor);
+  }
+
   // Whether a face with these corners turns its back on the surface at one of them: a fold, or soon to be one. On a
   // curve the surface looks several ways.
   bool is_turned_over(Index a, Index b, Index c) const
@@ -89,7 +101,9 @@ private:
   bool permits(const Edge_rule& rule, Index h, bool is_transient) const
   {
     const Index side = h >= 0 ? h : ~h;      // of a border side, the other one
-    return rule(mesh, mesh.unit() * length_at(mesh.origin(side), mesh.target(side)), h, is_transient);
+    const double length = target_length > 0 ? mesh.unit() * length_at(mesh.origin(side), mesh.target(side))
+                                            : std::numeric_limits<double>::infinity();
+    return rule(mesh, length, h, is_transient);
   }
 };
 

@@ -40,10 +40,11 @@ public:
     HELD = 64               // locked while the mesh is coarse
   };
 
-  // Flags of edge k of a face: bits k, k + 3 and k + 6.
+  // Flags of edge k of a face: bits k, k + 3, k + 6 and k + 9.
   static constexpr std::uint32_t CONSTRAINED = 1;  // never flipped, its chain is kept
   static constexpr std::uint32_t PROTECTED = 8;    // neither flipped, split nor collapsed: keeps its descriptor
   static constexpr std::uint32_t ON_CURVE = 64;    // has a place on a curve of the input, see curve_place()
+  static constexpr std::uint32_t FOUND = 512;      // constrained because it was found to be a feature: the user did not mark it
 
   static constexpr Index NO_VERTEX = -1;
 
@@ -116,6 +117,7 @@ public:
   // --- edges --------------------------------------------------------------------------------------------------
 
   bool is_constrained(Index h) const { return has_flag(h, CONSTRAINED); }
+  bool is_marked_by_user(Index h) const { return is_constrained(h) && !has_flag(h, FOUND); }
   bool is_protected(Index h) const { return has_flag(h, PROTECTED); }
   bool has_protected_edge(Index f) const { return (faces_[f].edge_flags & (PROTECTED * 7)) != 0; }
   // Whether the edge belongs to a border or to a feature.
@@ -330,7 +332,7 @@ private:
   Index new_face();
   Index new_vertex();
 
-  static constexpr std::uint32_t ALL_FLAGS = CONSTRAINED | PROTECTED | ON_CURVE;
+  static constexpr std::uint32_t ALL_FLAGS = CONSTRAINED | PROTECTED | ON_CURVE | FOUND;
 
   // The flags of the edge of h, moved down to the bits of edge 0.
   std::uint32_t flags(Index h) const { return (faces_[h >> 2].edge_flags >> (h & 3)) & ALL_FLAGS; }

@@ -13,7 +13,7 @@ namespace Inter_angle_remeshing {
 namespace internal {
 
 // A point or a vector of plain doubles: what the hot loops compute with.
-// The user's kernel stays at the border, in mesh_exchange.h.
+// The user's kernel stays at the border: see to_vector3.h.
 struct Vector3
 {
   double x = 0, y = 0, z = 0;

@@ -46,7 +46,8 @@ public:
     return e * e;
   }
 
-  // Whether the angles of the triangle abc lie within the band; by the law of cosines and without a root.
+  // Whether the angles of the triangle abc lie within the band; by the law of cosines and without a root. One whose corners are
+  // equal has no angles.
   bool holds(const Vector3& a, const Vector3& b, const Vector3& c) const
   {
     std::array<double, 3> l = {squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)};
@@ -55,7 +56,7 @@ public:
     if (l[0] > l[1]) std::swap(l[0], l[1]);
     const double smallest = l[1] + l[2] - l[0], largest = l[0] + l[1] - l[2];   // cosines times the edges beside, twice
     const double bound = 4 * upper_cosine_ * upper_cosine_ * l[0] * l[1];
-    return smallest * smallest <= 4 * lower_cosine_ * lower_cosine_ * l[1] * l[2] &&
+    return l[2] > 0 && smallest * smallest <= 4 * lower_cosine_ * lower_cosine_ * l[1] * l[2] &&
            (upper_cosine_ >= 0 ? largest >= 0 && largest * largest >= bound : largest >= 0 || largest * largest <= bound);
   }
 

@@ -30,7 +30,7 @@ struct Constraint_settings
 {
   double sharpness_cosine;    // edges with a smaller dihedral cosine are features; under -1: none
   bool protect;
-  bool slides;                // whether input vertices on the border and on marked edges move along these
+  bool slides;                // whether input vertices on the border and on features move along these
   bool finds_features;        // whether sharp edges are found by themselves
 };
 
@@ -46,11 +46,24 @@ inline bool is_sharp(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, double
   return product > 0 && dot(m, n) < cosine * std::sqrt(product);
 }
 
+inline void mark_ends(Remeshing_mesh& mesh, Remeshing_mesh::Index h, unsigned marks)
+{
+  mesh.add_marks(mesh.origin(h), marks);
+  mesh.add_marks(mesh.target(h), marks);
+}
+
 inline void mark_feature(Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
   mesh.add_flags(h, Remeshing_mesh::CONSTRAINED);
-  mesh.add_marks(mesh.origin(h), Remeshing_mesh::ON_FEATURE);
-  mesh.add_marks(mesh.target(h), Remeshing_mesh::ON_FEATURE);
+  mark_ends(mesh, h, Remeshing_mesh::ON_FEATURE);
+}
+
+// As one that the user marked, but for what only the user may ask for: protection, and that it stays straight.
+inline void mark_found_feature(Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Constraint_settings& settings)
+{
+  if (!mesh.is_constrained(h)) mesh.add_flags(h, Remeshing_mesh::FOUND);
+  mark_feature(mesh, h);
+  if (!settings.slides) mark_ends(mesh, h, Remeshing_mesh::PINNED);
 }
 
 template <class Exchange, class EdgeIsConstrainedMap, class VertexIsConstrainedMap, class PatchMap, class TriangleMesh>
@@ -69,10 +82,7 @@ void mark_constraints(Exchange& exchange, const TriangleMesh& tmesh, const EdgeI
                                           !(get(fpm, face(user, tmesh)) == get(fpm, across)));
     }
     if (is_constrained) mark_feature(mesh, h);
-    if ((is_constrained || mesh.is_border(h)) && !settings.slides) {
-      mesh.add_marks(mesh.origin(h), Remeshing_mesh::PINNED);
-      mesh.add_marks(mesh.target(h), Remeshing_mesh::PINNED);
-    }
+    if ((is_constrained || mesh.is_border(h)) && !settings.slides) mark_ends(mesh, h, Remeshing_mesh::PINNED);
     if (settings.protect && (is_constrained || mesh.is_border(h))) mesh.add_flags(h, Remeshing_mesh::PROTECTED);
   });
   if constexpr (!std::is_same<VertexIsConstrainedMap, No_map>::value)

@@ -30,7 +30,9 @@ void evaluate_then_apply(Remeshing_mesh& mesh, std::vector<Remeshing_mesh::Index
     for (std::size_t i = 0; i < candidates.size(); ++i)
       apply(candidates[i], evaluate(candidates[i]));
   } else {
-    using Decision = std::decay_t<decltype(evaluate(Remeshing_mesh::Index()))>;
+    using Answer = std::decay_t<decltype(evaluate(Remeshing_mesh::Index()))>;
+    // The bools of a vector<bool> share words, which several threads would write.
+    using Decision = std::conditional_t<std::is_same<Answer, bool>::value, char, Answer>;
     const std::size_t n = candidates.size();
     std::vector<Decision> decisions(n);
     for_each_block<ConcurrencyTag>(n, EVALUATION_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
@@ -39,7 +41,7 @@ void evaluate_then_apply(Remeshing_mesh& mesh, std::vector<Remeshing_mesh::Index
     mesh.start_recording_touched();
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const Remeshing_mesh::Index h = candidates[i];
-      apply(h, i < n && !mesh.is_touched(h) ? decisions[i] : evaluate(h));
+      apply(h, i < n && !mesh.is_touched(h) ? Answer(decisions[i]) : evaluate(h));
     }
     mesh.stop_recording_touched();
   }

@@ -51,7 +51,8 @@ auto allocate_removal_flags(Graph& g, int)
 template <class Graph>
 void allocate_removal_flags(Graph&, long) {}
 
-// The user's range -> flat mesh, flat mesh -> the user's mesh: the only code that touches the user's mesh.
+// The user's range -> flat mesh, flat mesh -> the user's mesh: the only code that changes the user's mesh, but for the point of a
+// vertex that Carrier_vertex borrows.
 //
 // What the user holds on to stays: a vertex that survives keeps its descriptor, and its point to the last bit if it
 // was not moved; protected edges keep theirs; faces and other edges are used again before new ones are made. Faces

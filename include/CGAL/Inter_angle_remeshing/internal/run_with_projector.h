@@ -9,8 +9,10 @@
 #include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
 #include <CGAL/Inter_angle_remeshing/internal/Default_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
+#include <CGAL/Inter_angle_remeshing/internal/input_kind.h>
 #include <CGAL/Inter_angle_remeshing/internal/paper_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
+#include <CGAL/Inter_angle_remeshing/internal/projector_traits.h>
 #include <CGAL/Inter_angle_remeshing/internal/referred.h>
 #include <CGAL/Inter_angle_remeshing/internal/starting_places.h>
 #include <CGAL/Inter_angle_remeshing/internal/target_of_run.h>
@@ -27,20 +29,6 @@
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
-
-template <class Functor>
-using Reference_surface_of = decltype(std::declval<const Functor&>().reference_surface());
-template <class Functor, class = void>
-struct Has_reference_surface : std::false_type {};
-template <class Functor>
-struct Has_reference_surface<Functor, std::void_t<Reference_surface_of<Functor>>> : std::true_type {};
-
-template <class Functor>
-using Mls_surface_of = decltype(std::declval<const Functor&>().mls_surface());
-template <class Functor, class = void>
-struct Has_mls_surface : std::false_type {};
-template <class Functor>
-struct Has_mls_surface<Functor, std::void_t<Mls_surface_of<Functor>>> : std::true_type {};
 
 // A surface that the user handed over. Where it is a copy of the input, walks over it keep to the patches of the run, and
 // begin where the vertices are.
@@ -137,7 +125,7 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
     }
     const Default_surface surface(mesh, target.length, target.sizing, kind);
     start_where_vertices_are(mesh);
-    surface.bend(curves, mean_edge_length(mesh), mesh, kind);
+    surface.bend(curves, mean_edge_length(mesh), mesh);
     if (target.faces > 0) target.length *= std::sqrt(surface.area_ratio());
     return run(surface.projection());
   } else if constexpr (Has_reference_surface<Functor>::value) {
