@@ -42,8 +42,10 @@ public:
   template <class Mesh>
   void start_pass(CGAL::Inter_angle_remeshing::Pass pass, const Mesh& mesh);
 
-  /// called after a pass that did `count` operations: edges split, collapsed or flipped, glides, vertices that were
-  /// asked to move, or vertices in the spots that a pass `Pass::mend` worked on.
+  /// called after a pass that did `count` operations: edges split, collapsed (also by `Pass::clean_up`) or flipped, glides,
+  /// vertices that were asked to move, vertices in the spots that `Pass::mend` worked on, vertices that the last displacements of
+  /// `Pass::fit` moved, moves and flips of `Pass::polish`, spots where `Pass::distance` lowered the distance, operations of
+  /// `Pass::repair`.
   template <class Mesh>
   void end_pass(CGAL::Inter_angle_remeshing::Pass pass, const Mesh& mesh, std::size_t count);
 
@@ -52,8 +54,8 @@ public:
   template <class Halfedge, class Mesh>
   void before_split(Halfedge h, const Mesh& mesh);
 
-  /// called after a split; `v` is the new vertex, still at the midpoint of the edge. It is pulled back onto the surface
-  /// at the end of the pass.
+  /// called after a split; `v` is the new vertex, still at the midpoint of the edge, or on a curve in the middle of the edge's part
+  /// of it. It is pulled back onto the surface at the end of the pass.
   template <class Vertex, class Mesh>
   void after_split(Vertex v, const Mesh& mesh);
 
@@ -74,7 +76,7 @@ public:
   template <class Halfedge, class Mesh>
   void after_flip(Halfedge h, const Mesh& mesh);
 
-  /// called for each vertex that is free to move, before a pass of relaxation.
+  /// called for each vertex that is free to move, before a pass `Pass::relax`.
   template <class Vertex, class Mesh>
   void before_move(Vertex v, const Mesh& mesh);
 
