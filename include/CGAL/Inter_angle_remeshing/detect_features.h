@@ -132,7 +132,7 @@ std::size_t detect_features(const FaceRange& faces, const TriangleMesh& tmesh, E
   for (Index h = 0; h < 4 * Index(copy.faces.size()); ++h)
     if (copy.mesh.corner(h) < 3) put(edge_is_feature, edge(copy.halfedge(h), tmesh), false);
   const double mean_length = internal::mean_edge_length(copy.mesh), length = scale > 0 ? scale / copy.mesh.unit() : mean_length;
-  const std::vector<Index> features = internal::Feature_detector(copy.mesh, (std::max)(length, mean_length)).features(
+  const std::vector<Index> features = internal::Feature_detector(copy.mesh, (std::max)(length, mean_length)).features_for(
     [&](Index) { return length; }, scale > 0 ? Recipe().fillet_width : 0.,
     scale > 0 ? Recipe().relief_density : std::numeric_limits<double>::infinity()).edges;
   for (const Index h : features) put(edge_is_feature, edge(copy.halfedge(h), tmesh), true);

@@ -34,6 +34,13 @@ public:
     : mesh_(mesh), length_(length), number_(mesh.number_of_vertex_slots(), -1)
   {}
 
+  // Of these edges, whose angles do not matter.
+  Feature_graph(const Remeshing_mesh& mesh, double length, const std::vector<Index>& edges)
+    : Feature_graph(mesh, length)
+  {
+    for (const Index h : edges) add(h, 0);
+  }
+
   // Edges that are certain to be features are not dropped by prune().
   void add(Index h, double angle, bool is_certain = false)
   {
@@ -59,22 +66,14 @@ public:
   }
 
   // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet. Those of animals and
-  // scans are loose, jagged, and a tangle. What leads to a free end is dropped. Curves along fillets may bend: paths of edges join
-  // them where they meet.
-  bool is_network(bool may_bend = false)
+  // scans are loose, jagged, and a tangle. What leads to a free end is dropped.
+  bool is_network()
   {
-    const double length_of_all = length_left();
-    drop_trees();
-    std::size_t inner = 0, bent = 0, others = 0;          // vertices
-    for (Index v = 0; v < Index(vertices_.size()); ++v) {
-      if (!has_edges(v)) continue;
-      ++(degree(v) == 2 ? inner : others);
-      bent += degree(v) == 2 && bends(v);
-    }
-    return length_left() >= LEAST_NETWORK_SHARE * length_of_all && inner >= LEAST_EDGES &&
-           (may_bend || double(bent) <= LARGEST_BENT_SHARE * double(inner)) &&
-           double(others) <= LARGEST_MEETING_SHARE * double(inner + others);
+    const Network_shape shape = look_at_network();
+    return shape.is_network && double(shape.bent) <= LARGEST_BENT_SHARE * double(shape.inner);
   }
+  // The same where curves may bend, as along fillets: paths of edges join them where they meet.
+  bool is_bent_network() { return look_at_network().is_network; }
 
   // Takes the edges out of which the density, in the order of adding, is greater than this, and of components that mainly consist of
   // such edges those of half of it. Then what is ragged beside them: from where edges went, on to corners, ends and junctions at a
@@ -101,6 +100,26 @@ public:
   void drop_sides_of_strips(double width);
 
 private:
+  struct Network_shape
+  {
+    bool is_network;
+    std::size_t inner, bent;             // vertices of two edges, and those of them where these turn
+  };
+
+  Network_shape look_at_network()
+  {
+    const double length_of_all = length_left();
+    drop_trees();
+    std::size_t inner = 0, bent = 0, others = 0;
+    for (Index v = 0; v < Index(vertices_.size()); ++v) {
+      if (!has_edges(v)) continue;
+      ++(degree(v) == 2 ? inner : others);
+      bent += degree(v) == 2 && bends(v);
+    }
+    return {length_left() >= LEAST_NETWORK_SHARE * length_of_all && inner >= LEAST_EDGES &&
+            double(others) <= LARGEST_MEETING_SHARE * double(inner + others), inner, bent};
+  }
+
   struct Edge
   {
     Index halfedge;

@@ -31,7 +31,7 @@ struct Input_kind
   bool searches_features;        // its sharp edges were looked for, and those that were found are constrained
   Remeshing_report::Features features;
   std::size_t feature_edges;
-  double saddle_excess;          // how noisy it is, see Feature_detector::saddle_excess()
+  double saddle_excess;          // how noisy it is, see Model_kind::saddle_excess()
   Rounded_edges rounded_edges;   // among the features
 };
 
@@ -55,11 +55,11 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
   if (kind.feature_edges > 0) kind.features = Features::marked;
   if (!keeps_surface || parameters.recipe.surface == Recipe::Surface::paper) return kind;
   Feature_detector detector(mesh, (std::max)(target.length, mean_length));
-  kind.is_cad = detector.is_cad();
-  kind.saddle_excess = detector.saddle_excess();
+  kind.is_cad = detector.kind().is_cad();
+  kind.saddle_excess = detector.kind().saddle_excess();
   kind.searches_features = parameters.constraint_settings.finds_features;
   if (!kind.searches_features) return kind;
-  Found_features found = detector.features([&](Remeshing_mesh::Index f) {
+  Found_features found = detector.features_for([&](Remeshing_mesh::Index f) {
     return target.length * target.sizing.part_of_face(mesh.face_record(f).source); },
     parameters.recipe.fillet_width, parameters.recipe.relief_density);
   for (const Remeshing_mesh::Index h : found.edges) mark_found_feature(mesh, h, parameters.constraint_settings);

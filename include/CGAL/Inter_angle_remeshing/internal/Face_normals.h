@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_FACE_NORMALS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FACE_NORMALS_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+inline double cosine_of_degrees(double angle) { return std::cos(angle * (CGAL_PI / 180)); }
+
+// The normals of the faces of a mesh, and the dihedral angles that they make.
+class Face_normals
+{
+public:
+  using Index = Remeshing_mesh::Index;
+
+  explicit Face_normals(const Remeshing_mesh& mesh)
+    : mesh_(mesh), normal_(mesh.number_of_face_slots()), doubled_area_(normal_.size())
+  {
+    for (Index f = 0; f < Index(normal_.size()); ++f) {
+      const Vector3 &a = mesh_.position(mesh_.origin(4 * f)), &b = mesh_.position(mesh_.origin(4 * f + 1)),
+                    &c = mesh_.position(mesh_.origin(4 * f + 2));
+      const Vector3 n = triangle_cross(a, b, c);
+      const double l = internal::length(n);
+      doubled_area_[f] = float(l);
+      if (!is_degenerate(n, a, b, c)) normal_[f] = (1 / l) * n;
+    }
+    correct_folded_slivers();
+  }
+
+  const Remeshing_mesh& mesh() const { return mesh_; }
+
+  // Unit, by face; zero where the face has none.
+  const std::vector<Vector3>& all() const { return normal_; }
+  const Vector3& operator[](Index f) const { return normal_[f]; }
+  void set(Index f, const Vector3& n) { normal_[f] = n; }
+
+  const std::vector<float>& doubled_areas() const { return doubled_area_; }
+  double doubled_area(Index f) const { return doubled_area_[f]; }
+
+  // The cosine of the dihedral angle; 1 on the border and beside faces without a normal.
+  double cosine(Index h) const
+  {
+    const Index o = mesh_.opposite(h);
+    if (o < 0) return 1;
+    const Vector3 &m = normal_[h >> 2], &n = normal_[o >> 2];
+    return m == Vector3() || n == Vector3() ? 1. : dot(m, n);
+  }
+  // In degrees.
+  double angle(Index h) const { return std::acos((std::max)(-1., (std::min)(1., cosine(h)))) * (180 / CGAL_PI); }
+
+  // Whether the face of h goes on in its plane over the edge of h.
+  bool is_planar_at(Index h) const { return mesh_.opposite(h) >= 0 && cosine(h) > planar_cosine_; }
+  // Whether these faces lie in planes of the same direction.
+  bool are_parallel(Index f, Index g) const { return dot(normal_[f], normal_[g]) > planar_cosine_; }
+
+  // The part of the area whose faces are not the only ones in their planes.
+  double planar_share() const
+  {
+    double all = 0, of_polygons = 0;
+    for (Index f = 0; f < Index(doubled_area_.size()); ++f) {
+      all += doubled_area_[f];
+      if (is_planar_at(4 * f) || is_planar_at(4 * f + 1) || is_planar_at(4 * f + 2)) of_polygons += doubled_area_[f];
+    }
+    return all > 0 ? of_polygons / all : 0.;
+  }
+
+private:
+  static constexpr double PLANAR_ANGLE = 0.5, FOLD_ANGLE = 150;    // degrees
+  static constexpr double SLIVER = 0.1;                            // altitude of a sliver, at most, over its longest edge
+
+  // Slivers that are folded onto a neighbour look as that one does.
+  void correct_folded_slivers()
+  {
+    std::vector<std::pair<Index, Vector3>> corrected;
+    for (Index f = 0; f < Index(normal_.size()); ++f)
+      if (const Index h = longest_edge(f); is_folded_sliver(f, h)) {
+        const Index o = mesh_.opposite(h);
+        corrected.emplace_back(f, o < 0 || is_folded_sliver(o >> 2, longest_edge(o >> 2)) ? Vector3() : normal_[o >> 2]);
+      }
+    for (const auto& [f, n] : corrected) normal_[f] = n;
+  }
+
+  Index longest_edge(Index f) const
+  {
+    Index longest = 4 * f;
+    for (Index h = 4 * f + 1; h < 4 * f + 3; ++h)
+      if (mesh_.squared_edge_length(h) > mesh_.squared_edge_length(longest)) longest = h;
+    return longest;
+  }
+
+  // Whether face f, of which h is the longest edge, is thin and lies on a neighbour: where it looks says nothing about the surface.
+  bool is_folded_sliver(Index f, Index h) const
+  {
+    if (doubled_area_[f] > SLIVER * mesh_.squared_edge_length(h)) return false;
+    const double folded = cosine_of_degrees(FOLD_ANGLE);
+    return cosine(4 * f) < folded || cosine(4 * f + 1) < folded || cosine(4 * f + 2) < folded;
+  }
+
+  const Remeshing_mesh& mesh_;
+  const double planar_cosine_ = cosine_of_degrees(PLANAR_ANGLE);
+  std::vector<Vector3> normal_;
+  std::vector<float> doubled_area_;
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_FACE_NORMALS_H

@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_MODEL_KIND_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_MODEL_KIND_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Face_normals.h>
+#include <CGAL/Inter_angle_remeshing/internal/Feature_graph.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// What the dihedral angles tell about a model.
+//
+// CAD models have sharp edges and flat ones, and few in between; or these are between planar polygons, as on cylinders, cones
+// and other surfaces of revolution of few facets. A few sharp edges beside each other, as around a vertex that is folded over, are
+// no feature of a part. Where round parts are coarse, as after remeshing, many edges are in between: the sharp ones still form
+// a network then. Noise makes saddles of sharp edges everywhere, where two and more ridges meet two and more grooves; parts and what
+// has grown have few.
+class Model_kind
+{
+  using Index = Remeshing_mesh::Index;
+
+  // Dihedral angles in degrees.
+  static constexpr double MILD_ANGLE = 12, FLAT_ANGLE = 8;
+  // Sharp edges that hang together are long with so many edge lengths, with this part of the root of the area, or as a ring of so
+  // many edges, between which there are no sharp ones.
+  static constexpr double LONG_COMPONENT = 8, LONG_PART = 0.25;
+  static constexpr std::size_t LONG_RING = 9;
+  // The edges in between may be so many times as long as sharp ones that form a network.
+  static constexpr double MOST_MILD = 3.5;
+  // Sharp edges are those of noise where so many of their vertices are saddles, and this part of all.
+  static constexpr std::size_t LEAST_SADDLES = 50;
+  static constexpr double NOISE_SHARE = 0.1;
+  // Meshes with fewer of them, or with this part of their vertices, may be clean and coarse.
+  static constexpr std::size_t LEAST_NOISY_SADDLES = 100;
+  static constexpr double CLEAN_SHARE = 0.035;
+  // Edges of at least this angle are creases where they make up this part of the length of all edges.
+  static constexpr double CREASE_ANGLE = 70, CREASE_SHARE = 0.05;
+
+public:
+  // The angle from which on edges are sharp on CAD models, and on others.
+  static constexpr double CAD_ANGLE = 40, LEAST_ANGLE = 30;
+
+  // `own_length` is the mean edge length.
+  Model_kind(const Face_normals& normals, double own_length)
+    : normals_(normals), mesh_(normals.mesh()), own_length_(own_length)
+  {
+    look_at_edges();
+  }
+
+  bool is_cad() const { return is_cad_; }
+  // One half-edge of each edge of LEAST_ANGLE and more; of those of at least this angle among them.
+  const std::vector<Index>& sharp_edges() const { return sharp_edges_; }
+  std::vector<Index> sharp_edges(double degrees) const
+  {
+    const double bound = cosine_of_degrees(degrees);
+    std::vector<Index> found;
+    for (const Index h : sharp_edges_)
+      if (normals_.cosine(h) <= bound) found.push_back(h);
+    return found;
+  }
+  // Of a model that is no CAD model; none where they are few.
+  const std::vector<Index>& creases() const { return creases_; }
+
+  // The part of the vertices that are saddles of sharp edges beyond that of clean models.
+  double saddle_excess() const
+  {
+    const double share = double(saddles_) / double(mesh_.number_of_vertex_slots());
+    return saddles_ < LEAST_NOISY_SADDLES ? 0. : (std::max)(0., share - CLEAN_SHARE);
+  }
+
+private:
+  template <class Function>
+  void for_each_inner_edge(const Function& function) const
+  {
+    for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f)
+      for (Index h = 4 * f; h < 4 * f + 3; ++h)
+        if (mesh_.opposite(h) > h) function(h);
+  }
+
+  // Whether the face of h is part of a planar polygon beyond h.
+  bool is_in_polygon(Index h) const { return normals_.is_planar_at(mesh_.next(h)) || normals_.is_planar_at(mesh_.prev(h)); }
+
+  void look_at_edges()
+  {
+    const double sharp = cosine_of_degrees(CAD_ANGLE), mild = cosine_of_degrees(MILD_ANGLE), flat = cosine_of_degrees(FLAT_ANGLE),
+                 least = cosine_of_degrees(LEAST_ANGLE);
+    double of_all = 0, of_sharp = 0, of_mild = 0, of_facets = 0, of_creases = 0;
+    std::size_t flat_edges = 0, edges = 0;
+    for_each_inner_edge([&](Index h) {
+      const double c = normals_.cosine(h), l = std::sqrt(mesh_.squared_edge_length(h));
+      ++edges;
+      of_all += l;
+      flat_edges += c > flat;
+      if (c <= least) sharp_edges_.push_back(h);
+      if (c > mild) return;
+      (c <= sharp ? of_sharp : of_mild) += l;
+      if (c > sharp && is_in_polygon(h) && is_in_polygon(mesh_.opposite(h))) of_facets += l;
+    });
+    const std::vector<Index> candidates = sharp_edges(CAD_ANGLE);
+    const double of_long = length_in_long_components(candidates);
+    count_saddles(candidates);
+    const auto are_few_mild = [&](double length) { return of_mild - of_facets < 0.2 * length; };
+    const auto is_cad_with = [&](double length) {
+      return of_mild < 0.5 * length || (of_mild < 1.1 * length && 2 * flat_edges > edges) || are_few_mild(length);
+    };
+    const auto form_network = [&]() { return Feature_graph(mesh_, own_length_, candidates).is_network(); };
+    is_cad_ = ((is_cad_with(of_sharp) && is_cad_with(of_long)) || (of_mild < MOST_MILD * of_long && form_network())) &&
+              ((are_few_mild(of_sharp) && are_few_mild(of_long)) || !are_of_noise());
+    if (is_cad_) return;
+    creases_ = sharp_edges(CREASE_ANGLE);
+    for (const Index h : creases_) of_creases += std::sqrt(mesh_.squared_edge_length(h));
+    if (of_creases < CREASE_SHARE * of_all || are_of_noise()) creases_.clear();
+  }
+
+  // The length of these edges in components that are long beside the edges of the mesh, or beside the model.
+  double length_in_long_components(const std::vector<Index>& edges) const
+  {
+    const std::vector<float>& areas = normals_.doubled_areas();
+    const double area = std::accumulate(areas.begin(), areas.end(), 0.) / 2;
+    Feature_graph graph(mesh_, own_length_, edges);
+    graph.drop_short_components((std::min)(LONG_COMPONENT, LONG_PART * std::sqrt(area) / own_length_), LONG_RING);
+    double sum = 0;
+    for (const Index h : graph.edges()) sum += std::sqrt(mesh_.squared_edge_length(h));
+    return sum;
+  }
+
+  // Among the vertices of these edges.
+  void count_saddles(const std::vector<Index>& edges)
+  {
+    struct Edges { int ridges = 0, grooves = 0; };
+    std::vector<Edges> edges_at(mesh_.number_of_vertex_slots());
+    for (const Index h : edges) {
+      const Index v = mesh_.origin(h);
+      const bool is_ridge = dot(normals_[h >> 2], mesh_.position(mesh_.apex(mesh_.opposite(h))) - mesh_.position(v)) < 0;
+      for (const Index end : {v, mesh_.target(h)}) ++(is_ridge ? edges_at[end].ridges : edges_at[end].grooves);
+    }
+    for (const Edges& e : edges_at) {
+      sharp_vertices_ += e.ridges + e.grooves > 0;
+      saddles_ += e.ridges > 1 && e.grooves > 1;
+    }
+  }
+
+  // Whether many of the vertices of sharp edges are saddles.
+  bool are_of_noise() const
+  {
+    return saddles_ >= LEAST_SADDLES && double(saddles_) > NOISE_SHARE * double(sharp_vertices_);
+  }
+
+  const Face_normals& normals_;
+  const Remeshing_mesh& mesh_;
+  double own_length_;
+  bool is_cad_ = false;
+  std::size_t sharp_vertices_ = 0, saddles_ = 0;       // vertices of edges of CAD_ANGLE, and those of them that are saddles
+  std::vector<Index> sharp_edges_, creases_;
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_MODEL_KIND_H
