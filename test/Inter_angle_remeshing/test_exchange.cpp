@@ -557,6 +557,19 @@ void a_tetrahedron_can_be_split_and_no_more()
 }
 
 // On a closed mesh without marks, everything is legal that the topology allows.
+// A split of an edge between two faces with the same corners would join these by a second edge.
+void two_faces_with_the_same_corners_stay()
+{
+  const Flat mesh = flat_copy(Soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}});
+  for(Index h = 0; h < 8; ++h)
+    if(mesh.corner(h) < 3)
+      CHECK(!mesh.is_split_legal(h) && !mesh.is_flip_legal(h) && !mesh.is_collapse_legal(h));
+  Mesh m = to_mesh<Mesh>(Soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}});
+  const Picture<Mesh> before(m);
+  IAR::isotropic_remeshing(.1, m);
+  CHECK(Picture<Mesh>(m) == before);
+}
+
 void what_the_topology_allows_is_legal()
 {
   Flat mesh = flat_copy(sphere(1));
@@ -1691,6 +1704,7 @@ int main()
   points_come_back_in_the_users_units();
   operations_keep_the_mesh_consistent();
   a_tetrahedron_can_be_split_and_no_more();
+  two_faces_with_the_same_corners_stay();
   what_the_topology_allows_is_legal();
   marks_forbid();
 

@@ -927,6 +927,7 @@ void tiny_chamfers_are_merged()
   const auto report = IAR::isotropic_remeshing(length, merged);
   CHECK(CGAL::is_valid_polygon_mesh(merged) && topology(merged) == topology(input) && !does_self_intersect(merged));
   CHECK(report.features == Features::all_sharp_edges && report.angles_after.minimum > 30 && report.angles_after.maximum < 110);
+  CHECK(report.input_faces == input.number_of_faces() && report.angles_before.minimum < 1);     // before, not after they are merged
   CHECK_MESSAGE(IAR::surface_distance(input, merged).hausdorff() < .02 * length,
                 IAR::surface_distance(input, merged).hausdorff());
   CHECK(PMP::volume(merged) > .3995 && PMP::volume(merged) < .4005);

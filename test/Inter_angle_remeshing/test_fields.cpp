@@ -185,6 +185,16 @@ void numbers_of_faces_scale_fields()
     const Fit f = fit(m, [&](const Point& p) { return mean * ramp(p); });
     CHECK_MESSAGE(f.share > .9, factor << ": " << f.share);
   }
+  // Only they count: powers of two, which are exact, change nothing.
+  const Ramp ramp(input);
+  const auto by = [&](double power) {
+    Mesh m = input;
+    IAR::isotropic_remeshing(IAR::Face_count(1000).scaling([&](const Point& p) { return power * ramp(p); }), m);
+    return meshes::Picture<Mesh>(m);
+  };
+  const meshes::Picture<Mesh> as_it_is = by(1);
+  for(const double power : {std::ldexp(1., -40), std::ldexp(1., 10), std::ldexp(1., 100)})
+    CHECK_MESSAGE(by(power) == as_it_is, power);
 }
 
 // --- curvature ---------------------------------------------------------------------------------------------------

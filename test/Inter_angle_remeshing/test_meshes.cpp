@@ -1282,12 +1282,14 @@ void a_run_cancelled_before_its_finest_level_changes_nothing()
     }));
     return std::make_pair(std::move(output), report);
   };
-  for(const double end : {.01, .5, .8})    // the iterations are ten of twelve parts, a level each of the others
+  for(const double end : {.01, .3, .5})    // the iterations are ten of twenty parts, two levels are two, and the clean-up the rest
   {
     const auto [output, report] = run_until(end);
     CHECK_MESSAGE(meshes::Picture<Mesh>(output) == meshes::Picture<Mesh>(input), end);
     CHECK_MESSAGE(report.ending == IAR::Remeshing_report::Ending::cancelled && report.splits == 0 &&
                   report.output_faces == report.input_faces, end);
+    CHECK_MESSAGE(report.angles_after.minimum == report.angles_before.minimum &&
+                  report.band_holds == (report.number_of_faces_out_of_band == 0), end);
   }
   const auto [output, report] = run_until(.95);
   CHECK(report.ending == IAR::Remeshing_report::Ending::cancelled);

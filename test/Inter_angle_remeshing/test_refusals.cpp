@@ -172,6 +172,12 @@ void lengths_that_make_too_many_faces_are_refused()
   // at another scale, where the length is no small number
   Mesh large = to_mesh<Mesh>(sphere(1).scaled(1e12));
   check_refused(large, "so small", [&](Mesh& g) { IAR::isotropic_remeshing(1., g); });
+  check_refused(large, "so small", [&](Mesh& g) { IAR::isotropic_remeshing(std::numeric_limits<double>::denorm_min(), g); });
+  // and one that is finite in the user's units, but not in those of a tiny mesh
+  Mesh tiny = to_mesh<Mesh>(sphere(2).scaled(1e-20)), as_large = tiny;
+  IAR::isotropic_remeshing(1e300, tiny);
+  IAR::isotropic_remeshing(1., as_large);
+  CHECK(CGAL::is_valid_polygon_mesh(tiny) && Picture<Mesh>(tiny) == Picture<Mesh>(as_large));
   // a needle has hardly an area, but edges that would be split a thousand million times
   Mesh needle = to_mesh<Mesh>(Soup{{{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1e-12, 0}}}, {{{0, 1, 2}}}});
   check_refused(needle, "so small", [&](Mesh& g) { IAR::isotropic_remeshing(1e-9, g); });
@@ -414,6 +420,13 @@ void a_projection_that_is_not_finite_ends_the_run()
                     CGAL::Postcondition_exception, "not finite");
     CHECK(Picture<Mesh>(m) == before);
   }
+  // nor does one go on whose products would not be finite
+  Mesh m = to_mesh<Mesh>(sphere(2));
+  const Picture<Mesh> before(m);
+  const auto far_away = [](const Point& p) { return Point(std::copysign(1e200, p.x()), p.y(), p.z()); };
+  CHECK_THROWS_AS(IAR::isotropic_remeshing(.2, m, parameters::projection_functor(far_away)), CGAL::Postcondition_exception,
+                  "far away");
+  CHECK(Picture<Mesh>(m) == before);
 }
 
 // --- how a run goes on -------------------------------------------------------------------------------------------

@@ -28,9 +28,9 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-template Run_result run_passes<CGAL::Sequential_tag>(Remeshing_context&, const Schedule&);
+template Run_result run_passes<CGAL::Sequential_tag>(Remeshing_context&, const Schedule&, const Remeshing_report&);
 #ifdef CGAL_LINKED_WITH_TBB
-template Run_result run_passes<CGAL::Parallel_tag>(Remeshing_context&, const Schedule&);
+template Run_result run_passes<CGAL::Parallel_tag>(Remeshing_context&, const Schedule&, const Remeshing_report&);
 #endif
 
 } // namespace internal

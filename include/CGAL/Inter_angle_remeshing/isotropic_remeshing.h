@@ -198,7 +198,8 @@ number of faces of the range and of the result, per iteration.
         no area for it; a vertex has more than 16383 faces; two protected edges join the same vertices; a member of the recipe,
         `sharpness_angle` or a number of iterations or relaxation steps is out of its range; or `Recipe::Surface::paper` is asked
         for without Eigen
-@throws CGAL::Postcondition_exception if the projection functor returns a point that is not finite; nothing is changed
+@throws CGAL::Postcondition_exception if the projection functor returns a point that is not finite, or further away than
+        10<sup>100</sup> times the extent of the range; nothing is changed
 @throws whatever a policy, projector, visitor, callback or property map of the user's throws
 */
 template <class ConcurrencyTag = CGAL::Sequential_tag, class FaceRange, class Length, class TriangleMesh,

@@ -39,19 +39,21 @@ class Remesher
   using Index = Remeshing_mesh::Index;
 
 public:
-  Remesher(Remeshing_context& context, const Schedule& schedule)
-    : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule), clock_(schedule.iterations, context.recipe.clean_up),
-      passes_(context, schedule, clock_, report_)
+  // `untouched` is the report of a run that does nothing.
+  Remesher(Remeshing_context& context, const Schedule& schedule, const Remeshing_report& untouched)
+    : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule), untouched_(untouched),
+      clock_(schedule.iterations, context.recipe.clean_up), report_(untouched), passes_(context, schedule, clock_, report_)
   {}
 
   Remeshing_report run()
   {
     report_.ending = Remeshing_report::Ending::completed;
-    report_.input_faces = mesh_.number_of_live_faces();
-    report_.angles_before = angle_summary<ConcurrencyTag>(mesh_);
     choose_levels();
     if (clock_.levels() == 0 || !succeeds_from_coarsest_level()) run_directly();
-    return is_at_finest_level() ? finish() : report_;
+    if (is_at_finest_level()) finish();
+    report_band(mesh_, Angle_bands(recipe_), report_);
+    passes_.tell_end();
+    return report_;
   }
 
   // Whether the mesh is one of the target length: cancelled before that, a run has nothing to show, and the mesh is the input.
@@ -133,12 +135,10 @@ private:
 
   void forget_what_was_done(unsigned levels)
   {
-    Remeshing_report report;
-    report.ending = report_.ending;
-    report.target_edge_length = mesh_.unit() * context_.target_length;
-    report.input_faces = report.output_faces = report_.input_faces;
-    report.angles_before = report.angles_after = report_.angles_before;
-    report_ = report;
+    const Remeshing_report::Ending ending = report_.ending;
+    report_ = untouched_;
+    report_.ending = ending;
+    report_.target_edge_length = mesh_.unit() * context_.target_length;
     clock_.begin_anew(schedule_.iterations, levels);
     operations_in_order_ = 0;
     is_fitted_ = is_stirred_up_ = is_only_split_ = has_poor_spots_ = false;
@@ -343,16 +343,13 @@ private:
 
   void mend_spots() { has_poor_spots_ = !passes_.mend_spots(); }
 
-  Remeshing_report finish()
+  void finish()
   {
     if (report_.ending == Remeshing_report::Ending::cancelled && !is_fitted_) passes_.pull_back();
     if (mesh_.has_free_slots()) mesh_.renumber<ConcurrencyTag>(mesh_.block_order());
     report_.output_faces = mesh_.number_of_live_faces();
     report_.target_edge_length = mesh_.unit() * context_.target_length;
     report_.angles_after = angle_summary<ConcurrencyTag>(mesh_);
-    report_band(mesh_, Angle_bands(recipe_), report_);
-    passes_.tell_end();
-    return report_;
   }
 
   bool goes_on() const { return passes_.goes_on(); }
@@ -370,6 +367,7 @@ private:
   Remeshing_mesh& mesh_;
   const Recipe& recipe_;
   const Schedule& schedule_;
+  const Remeshing_report& untouched_;
   Run_clock clock_;
   Remeshing_report report_;
   Pass_runner<ConcurrencyTag> passes_;
@@ -382,9 +380,9 @@ private:
 };
 
 template <class ConcurrencyTag>
-Run_result run_passes(Remeshing_context& context, const Schedule& schedule)
+Run_result run_passes(Remeshing_context& context, const Schedule& schedule, const Remeshing_report& untouched)
 {
-  Remesher<ConcurrencyTag> remesher(context, schedule);
+  Remesher<ConcurrencyTag> remesher(context, schedule, untouched);
   const Remeshing_report report = remesher.run();
   return {report, remesher.is_at_finest_level()};
 }

@@ -240,7 +240,8 @@ public:
   bool is_split_legal(Index h) const
   {
     const Index o = opposite(h);
-    return !is_protected(h) && (h < 0 || valence(apex(h)) < LARGEST_VALENCE) && (o < 0 || valence(apex(o)) < LARGEST_VALENCE);
+    return !is_protected(h) && (h < 0 || valence(apex(h)) < LARGEST_VALENCE) && (o < 0 || valence(apex(o)) < LARGEST_VALENCE) &&
+           (h < 0 || o < 0 || apex(h) != apex(o));
   }
   // Whether the source of h may be merged into its target: the link condition, and both curves and what lies
   // outside of the range kept. h may be a border side, here and in collapse().

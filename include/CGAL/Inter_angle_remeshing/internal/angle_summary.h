@@ -21,7 +21,7 @@ namespace Inter_angle_remeshing {
 namespace internal {
 
 // Adds the angles of the triangle abc to a sum whose `average` is that of |θ - 60|, for now, and whose extremes are
-// cosines.
+// cosines. Where two corners are equal there are none: it counts as of 0 and 180 degrees.
 inline void add_angles(const Vector3& a, const Vector3& b, const Vector3& c, Remeshing_report::Angles& sum)
 {
   const Vector3 u = b - a, v = c - b, w = a - c;
@@ -29,6 +29,7 @@ inline void add_angles(const Vector3& a, const Vector3& b, const Vector3& c, Rem
   const auto cosine_between = [](const Vector3& d, const Vector3& e, double product) {
     return product > 0 ? -dot(d, e) / product : 1.;
   };
+  if (!(lu > 0 && lv > 0 && lw > 0)) sum.maximum = -1;
   for (const double cosine : {cosine_between(w, u, lw * lu), cosine_between(u, v, lu * lv),
                               cosine_between(v, w, lv * lw)}) {
     sum.minimum = (std::max)(sum.minimum, cosine);

@@ -13,6 +13,8 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -22,12 +24,16 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// What a functor of the user's returned; the run ends where that is no point.
-inline Vector3 to_finite_vector(const Vector3& v)
+// What a functor of the user's returned, in units of the mesh; the run ends where that is no point, or so far away that products of
+// coordinates would not be finite.
+inline Vector3 checked_projection(const Vector3& v)
 {
-  if (!is_finite(v))
-    throw CGAL::Postcondition_exception("Inter_angle_remeshing", "projection_functor", __FILE__, __LINE__,
-                                        "the projection functor returned a point that is not finite");
+  constexpr double FARTHEST = 1e100;
+  const char* message = !is_finite(v) ? "the projection functor returned a point that is not finite" :
+                        (std::max)({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) > FARTHEST ?
+                        "the projection functor returned a point more than 1e100 times as far away as the mesh is large" : nullptr;
+  if (message != nullptr)
+    throw CGAL::Postcondition_exception("Inter_angle_remeshing", "projection_functor", __FILE__, __LINE__, message);
   return v;
 }
 
@@ -64,7 +70,7 @@ struct Projection
   {
     if (mls != nullptr) return (1 / factor) * smooth_point(factor * q, hint);
     const Vector3 closest = has_faces() ? surface->walk(factor * q, hint) : factor * q;
-    return (1 / factor) * (rule == nullptr ? closest : to_finite_vector((*rule)(factor * q)));
+    return rule == nullptr ? (1 / factor) * closest : checked_projection((1 / factor) * (*rule)(factor * q));
   }
   Vector3 smooth_point(const Vector3& q, Corner_table::Index& hint) const
   {

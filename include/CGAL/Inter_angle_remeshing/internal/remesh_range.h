@@ -104,8 +104,9 @@ inline bool has_details_smaller_than(double target, const Input_curves& curves, 
   return target > SMALL * mean_length && curves.have_last_edges_under(SMALL * target);
 }
 
+// What there is to report when nothing has been done yet.
 template <class ConcurrencyTag>
-Remeshing_report report_without_run(const Remeshing_mesh& mesh, double target)
+Remeshing_report untouched_report(const Remeshing_mesh& mesh, double target)
 {
   Remeshing_report report;
   report.input_faces = report.output_faces = mesh.number_of_live_faces();
@@ -129,7 +130,8 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   const double total_length = total_edge_length(exchange.mesh());
   Target wanted = read_target(length, exchange, tmesh, parameters.vertex_point_map, total_length);
   double& target = wanted.length;
-  if (parameters.schedule.iterations == 0) return report_without_run<Concurrency>(exchange.mesh(), target);
+  const Remeshing_report untouched = untouched_report<Concurrency>(exchange.mesh(), target);
+  if (parameters.schedule.iterations == 0) return untouched;
   parameters.schedule.wanted_faces = wanted.faces;
 
   mark_constraints(exchange, tmesh, parameters.edge_is_constrained_map, parameters.vertex_is_constrained_map,
@@ -159,7 +161,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
                               target, parameters.may_subdivide, wanted.sizing, locator ? &*locator : nullptr,
                               has_small_details ? parameters.recipe.grading : 0., noise(kind, mean_length, target), Grading(),
                               Kept_places()};
-    const Run_result result = run_passes<Concurrency>(context, parameters.schedule);
+    const Run_result result = run_passes<Concurrency>(context, parameters.schedule, untouched);
     is_to_be_written = result.has_target_length;
     if (is_to_be_written && attributes.are_carried()) attributes.read(mesh, *locator);
     return result.report;

@@ -33,9 +33,9 @@ struct Run_result
   bool has_target_length;                // false: cancelled before that, the run has nothing to show
 };
 
-// Remeshes the mesh of the context.
+// Remeshes the mesh of the context. The report begins as that of a run that does nothing.
 template <class ConcurrencyTag>
-Run_result run_passes(Remeshing_context& context, const Schedule& schedule);
+Run_result run_passes(Remeshing_context& context, const Schedule& schedule, const Remeshing_report& report);
 
 } // namespace internal
 } // namespace Inter_angle_remeshing

@@ -32,7 +32,7 @@ inline double checked_length(double length, const Vector3& place)
   return length;
 }
 
-// No length needs to be longer: the extent of the flat mesh is under 1.
+// No length needs to be longer, in units of lengths: the extent of the flat mesh is under 1.
 constexpr double LONGEST_LENGTH = 4;
 // More faces cannot be indexed.
 constexpr double MAXIMUM_NUMBER_OF_FACES = double((std::numeric_limits<Remeshing_mesh::Index>::max)() / 4) / 1.5;
@@ -53,9 +53,9 @@ class Sizing
 public:
   // Uniform.
   Sizing() = default;
-  // `lengths` by input vertex, in the units of the mesh, which is the input; the function is in the user's.
-  Sizing(const Remeshing_mesh& mesh, const std::vector<double>& lengths, Function function)
-    : function_(std::move(function)), unit_(mesh.unit())
+  // `lengths` by vertex of the mesh, which is the input, in units of `length_unit`; the function is in the user's.
+  Sizing(const Remeshing_mesh& mesh, const std::vector<double>& lengths, double length_unit, Function function)
+    : function_(std::move(function)), unit_(mesh.unit()), length_unit_(length_unit)
   {
     double area = 0, count = 0;
     parts_.resize(mesh.number_of_face_slots());
@@ -79,6 +79,7 @@ public:
   }
 
   bool is_uniform() const { return parts_.empty(); }
+  // In units of lengths.
   double reference_length() const { return reference_length_; }
 
   // The mean over the input's face `source`.
@@ -95,7 +96,7 @@ public:
   {
     if (function_) {
       const Vector3 place = unit_ * mesh.position(v);
-      return (std::min)(LONGEST_LENGTH, checked_length(function_(place), place) / unit_) / reference_length_;
+      return (std::min)(LONGEST_LENGTH, checked_length(function_(place), place) / length_unit_) / reference_length_;
     }
     const Input_place place = locator->place_of_vertex(mesh, v);
     const auto& corner = parts_[place.source];
@@ -106,7 +107,7 @@ public:
 private:
   std::vector<std::array<float, 3>> parts_;           // by input face, at its corners
   Function function_;
-  double reference_length_ = 0, unit_ = 1;
+  double reference_length_ = 0, unit_ = 1, length_unit_ = 1;
 };
 
 } // namespace internal

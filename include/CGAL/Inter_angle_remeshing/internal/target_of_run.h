@@ -61,14 +61,14 @@ template <class SizingField>
 struct Is_scaled_field<Scaled_sizing_field<SizingField>> : std::true_type {};
 
 // A length so small that the result could not be indexed is refused, as is what is no length. Needles have edges to
-// split, though hardly an area. `unit` is the unit of the arguments in the user's.
-inline void check_length(double length, double area, double total_edge_length, double unit)
+// split, though hardly an area. `in_users_units` is what the user learns.
+inline void check_length(double length, double in_users_units, double area, double total_edge_length)
 {
   if (!(length >= 0) || !std::isfinite(length))
-    refuse(REMESHING, "the target edge length is " + to_text(unit * length) + "; it must be finite and not negative");
+    refuse(REMESHING, "the target edge length is " + to_text(in_users_units) + "; it must be finite and not negative");
   const double faces = (std::max)(4 * area / (std::sqrt(3.) * length * length), total_edge_length / length);
   if (length > 0 && faces > MAXIMUM_NUMBER_OF_FACES)
-    refuse(REMESHING, "the target edge length is " + to_text(unit * length) + ", so small that about " + to_text(faces) +
+    refuse(REMESHING, "the target edge length is " + to_text(in_users_units) + ", so small that about " + to_text(faces) +
                       " faces were needed; at most " + to_text(MAXIMUM_NUMBER_OF_FACES) + " can be indexed");
 }
 
@@ -76,7 +76,13 @@ inline void check_length(double length, double area, double total_edge_length, d
 template <class Length>
 void check_length_value(const Length& length)
 {
-  if constexpr (Is_number<Length>::value) check_length(number_to_double(length), 0, 0, 1); else (void)length;
+  if constexpr (Is_number<Length>::value) check_length(number_to_double(length), number_to_double(length), 0, 0); else (void)length;
+}
+
+// A positive number that its unit has made 0 or infinite, as near to it as a finite positive one is.
+inline double in_range_of_double(double x)
+{
+  return (std::max)((std::numeric_limits<double>::min)(), (std::min)((std::numeric_limits<double>::max)(), x));
 }
 
 inline double length_for_faces(std::size_t n, double area)
@@ -86,9 +92,10 @@ inline double length_for_faces(std::size_t n, double area)
   return length_for_face_count(area, n);
 }
 
-// The sizing that a field or a function of the position stands for; uniform, with its length, where a field is that.
+// The sizing that a field or a function of the position stands for; uniform, with its length, where a field is that. Of a field that is
+// scaled only the ratios count: the longest of its lengths is their unit, and the target length is none.
 template <class Field, class Exchange, class TriangleMesh, class VertexPointMap>
-Target read_field(const Field& field, Exchange& exchange, TriangleMesh& tmesh, const VertexPointMap& vpm)
+Target read_field(const Field& field, bool is_scaled, Exchange& exchange, TriangleMesh& tmesh, const VertexPointMap& vpm)
 {
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   using Point_3 = typename boost::property_traits<VertexPointMap>::value_type;
@@ -103,13 +110,15 @@ Target read_field(const Field& field, Exchange& exchange, TriangleMesh& tmesh, c
     double l;
     if constexpr (Is_sizing_field<Field, Vertex, TriangleMesh>::value) l = CGAL::to_double(field.at(v, tmesh));
     else l = CGAL::to_double(field(Point_3(get(vpm, v))));
-    lengths.push_back((std::min)(LONGEST_LENGTH, checked_length(l, to_vector3(get(vpm, v))) / mesh.unit()));
+    lengths.push_back(checked_length(l, to_vector3(get(vpm, v))));
   }
+  const double unit = is_scaled ? *std::max_element(lengths.begin(), lengths.end()) : mesh.unit();
+  for (double& l : lengths) l = (std::min)(LONGEST_LENGTH, l / unit);
   if constexpr (!Is_sizing_field<Field, Vertex, TriangleMesh>::value)
     function = [&field](const Vector3& p) { return CGAL::to_double(field(Point_3(p.x, p.y, p.z))); };
   else if (std::adjacent_find(lengths.begin(), lengths.end(), std::not_equal_to<double>()) == lengths.end())
     return {lengths.front(), 0, Sizing()};
-  Sizing sizing(mesh, lengths, std::move(function));
+  Sizing sizing(mesh, lengths, unit, std::move(function));
   const double reference = LENGTHENING * sizing.reference_length();
   return {reference, 0, std::move(sizing)};
 }
@@ -125,15 +134,17 @@ Target read_target(const Length& length, Exchange& exchange, TriangleMesh& tmesh
   if constexpr (std::is_same<Length, Face_count>::value)
     result = {length_for_faces(length.value, range_area), length.value, Sizing()};
   else if constexpr (Is_scaled_field<Length>::value) {
-    result = read_field(referred(length.field), exchange, tmesh, vpm);
+    result = read_field(referred(length.field), true, exchange, tmesh, vpm);
     result.faces = length.count.value;
     result.length = length_for_faces(result.faces, range_area);
   } else if constexpr (Is_number<Length>::value) {
     const double wanted = number_to_double(length);
-    result.length = std::isfinite(wanted) ? wanted / mesh.unit() : wanted;
+    result.length = wanted > 0 && std::isfinite(wanted) ? in_range_of_double(wanted / mesh.unit()) : wanted;
+    check_length(result.length, wanted, range_area, total_edge_length);
+    return result;
   } else
-    result = read_field(referred(length), exchange, tmesh, vpm);
-  check_length(result.length, range_area, total_edge_length, mesh.unit());
+    result = read_field(referred(length), false, exchange, tmesh, vpm);
+  check_length(result.length, mesh.unit() * result.length, range_area, total_edge_length);
   return result;
 }
 
