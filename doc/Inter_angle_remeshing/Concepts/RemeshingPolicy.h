@@ -18,9 +18,9 @@ Generic lambdas are models.
 
 Two requirements come from the order of evaluation. Operations are evaluated ahead of being done, and evaluated anew
 only where the surroundings of the edge have changed in between; so the answer must be a function of what the profile
-tells, and nothing else, or what the user knows of its input vertices; not their points, one of which a projection functor
-that takes vertices may borrow during the run. And with `CGAL::Parallel_tag` several threads ask at once; so the call must be safe to run
-concurrently with itself.
+tells, and nothing else, or what the user knows of its input vertices; not their points, one of which a projection
+functor that takes vertices may borrow during the run. And with `CGAL::Parallel_tag` several threads ask at once; so the
+call must be safe to run concurrently with itself.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Inter_angle_remeshing::Inter_angle_split_policy}

@@ -147,8 +147,8 @@ number of faces of the range and of the result, per iteration.
   \cgalParamNBegin{relax_constraints}
     \cgalParamDescription{whether vertices of the input on constrained edges, found features included, and on the border
                           slide along the polylines that these form. With `false` they stay where they are or are
-                          collapsed; vertices that are made there slide all the same. Corners never move: ends and junctions of polylines, and turns
-                          of 45 degrees and more (see Section \ref iarCurves).}
+                          collapsed; vertices that are made there slide all the same. Corners never move: ends and
+                          junctions of polylines, and turns of 45 degrees and more (see Section \ref iarCurves).}
     \cgalParamType{bool}
     \cgalParamDefault{`true`, other than in %Polygon_mesh_processing: triangles beside curves are as good as elsewhere}
   \cgalParamNEnd

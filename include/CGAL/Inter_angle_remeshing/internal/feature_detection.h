@@ -72,7 +72,8 @@ public:
   template <class Length>
   Found_features features_for(const Length& target_length, double fillet_width, double relief_density)
   {
-    const bool is_cad = kind_.is_cad(), may_have_fillets = fillet_width > 0 && (is_cad || normals_.planar_share() >= LEAST_PLANAR_SHARE);
+    const bool is_cad = kind_.is_cad();
+    const bool may_have_fillets = fillet_width > 0 && (is_cad || normals_.planar_share() >= LEAST_PLANAR_SHARE);
     const std::vector<Vector3> unfiltered = may_have_fillets ? normals_.all() : std::vector<Vector3>();
     std::vector<double> lengths(mesh_.number_of_face_slots());
     for (Index f = 0; f < Index(lengths.size()); ++f) lengths[f] = target_length(f);

@@ -59,7 +59,8 @@ public:
       band_(Angle_bands(context.recipe, LOWER_MARGIN, UPPER_MARGIN).inside)
   {}
 
-  // Does this many passes, further ones where these pay, none where chords are short. Returns the number of vertices moved in the last one.
+  // Does this many passes, further ones where these pay, none where chords are short. Returns the number of vertices moved in the last
+  // one.
   std::size_t run(unsigned passes)
   {
     if (context_.is_finer_than_surface()) return 0;
