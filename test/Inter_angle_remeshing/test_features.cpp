@@ -915,8 +915,15 @@ double distance_to_nearest_vertex(const Point& p, const Mesh& m)
   return std::sqrt(best);
 }
 
+bool keeps_all_corners(const Mesh& before, const Mesh& after)
+{
+  return std::all_of(before.vertices_begin(), before.vertices_end(), [&](Vertex v) {
+    return distance_to_nearest_vertex(before.point(v), after) < 1e-12;
+  });
+}
+
 // Chamfers a hundredth of the target length wide are one edge afterwards, and the needles on them are gone; those that are wider
-// stay, as does what the user marks or locks, and as all do where that is turned off.
+// stay, as all do where that is turned off.
 void tiny_chamfers_are_merged()
 {
   const double length = .1;
@@ -932,9 +939,29 @@ void tiny_chamfers_are_merged()
                 IAR::surface_distance(input, merged).hausdorff());
   CHECK(PMP::volume(merged) > .3995 && PMP::volume(merged) < .4005);
   CHECK(IAR::isotropic_remeshing(faces(unmerged), length, unmerged, IAR::recipe(kept)).angles_after.minimum < 5);
+  CHECK(!keeps_all_corners(input, merged) && keeps_all_corners(input, unmerged));
 
-  // The attributes of faces that stay are found on the input.
-  Mesh attributed = input;
+  // So are corners of borders.
+  Mesh open = input;
+  for(const Mesh::Face_index f : std::vector<Mesh::Face_index>(open.faces_begin(), open.faces_end()))
+    if(PMP::compute_face_normal(f, open).z() > .5)
+      CGAL::Euler::remove_face(open.halfedge(f), open);
+  open.collect_garbage();
+  Mesh without_top = open;
+  const auto of_open = IAR::isotropic_remeshing(length, without_top);
+  CHECK(CGAL::is_valid_polygon_mesh(without_top) && topology(without_top) == topology(open));
+  CHECK(of_open.angles_after.minimum > 30 && of_open.angles_after.maximum < 110);
+
+  const Mesh wide = chamfered_box(.003, .4);
+  Mesh m = wide;
+  IAR::isotropic_remeshing(length, m);
+  CHECK(keeps_all_corners(wide, m));
+}
+
+// The attributes of faces that stay are found on the input.
+void attributes_of_merged_chamfers_are_found()
+{
+  Mesh attributed = chamfered_box(.0005, .4);
   const auto side = attributed.add_property_map<Mesh::Face_index, int>("f:side", -1).first;
   const auto height = attributed.add_property_map<Vertex, double>("v:height", -1).first;
   for(const Mesh::Face_index f : attributed.faces())
@@ -944,20 +971,18 @@ void tiny_chamfers_are_merged()
   IAR::Attribute_transfer<Mesh> transfer;
   transfer.add_face_map(side);
   transfer.add_vertex_map(height);
-  IAR::isotropic_remeshing(faces(attributed), length, attributed, parameters::visitor(transfer));
+  IAR::isotropic_remeshing(faces(attributed), .1, attributed, parameters::visitor(transfer));
   for(const Mesh::Face_index f : attributed.faces())
     CHECK(side[f] == (PMP::compute_face_normal(f, attributed).z() > .5));
   for(const Vertex v : attributed.vertices())
     CHECK(std::abs(height[v] - attributed.point(v).z()) < 1e-9);
+}
 
-  // Nothing is merged that the user speaks about.
-  const auto keeps_all_corners = [](const Mesh& before, const Mesh& after) {
-    for(const Vertex v : before.vertices())
-      if(!(distance_to_nearest_vertex(before.point(v), after) < 1e-12))
-        return false;
-    return true;
-  };
-  CHECK(!keeps_all_corners(input, merged) && keeps_all_corners(input, unmerged));
+// Nothing is merged that the user speaks about.
+void chamfers_stay_where_the_user_says_so()
+{
+  const double length = .1;
+  const Mesh input = chamfered_box(.0005, .4);
   Mesh marked = input;
   Edge_map map = marked.add_property_map<Edge, bool>("e:marked", false).first;
   PMP::detect_sharp_edges(marked, 40, map);
@@ -978,22 +1003,6 @@ void tiny_chamfers_are_merged()
   for(const std::size_t i : {0, 7, 9})
     CHECK_MESSAGE(distance_to_nearest_vertex(input.point(Vertex(typename Mesh::size_type(i))), locked) == 0, i);
   CHECK(!keeps_all_corners(input, locked));
-
-  // So are corners of borders.
-  Mesh open = input;
-  for(const Mesh::Face_index f : std::vector<Mesh::Face_index>(open.faces_begin(), open.faces_end()))
-    if(PMP::compute_face_normal(f, open).z() > .5)
-      CGAL::Euler::remove_face(open.halfedge(f), open);
-  open.collect_garbage();
-  Mesh without_top = open;
-  const auto of_open = IAR::isotropic_remeshing(length, without_top);
-  CHECK(CGAL::is_valid_polygon_mesh(without_top) && topology(without_top) == topology(open));
-  CHECK(of_open.angles_after.minimum > 30 && of_open.angles_after.maximum < 110);
-
-  const Mesh wide = chamfered_box(.003, .4);
-  Mesh m = wide;
-  IAR::isotropic_remeshing(length, m);
-  CHECK(keeps_all_corners(wide, m));
 }
 
 // How far the middles of the fillets of a box, and the tips of its corners, are from a mesh; with that of the edges that
@@ -1519,6 +1528,8 @@ int main()
   slits_are_no_features();
   grading_mends_small_details();
   tiny_chamfers_are_merged();
+  attributes_of_merged_chamfers_are_found();
+  chamfers_stay_where_the_user_says_so();
   fillets_narrower_than_the_target_are_features();
   a_relief_too_fine_for_the_target_is_no_feature();
   grading_mends_jagged_borders();

@@ -40,7 +40,7 @@ struct Remeshing_report
                       ///< surroundings, creases of coarse models, narrow fillets of parts without a sharp edge
   };
 
-  /// the angles of a set of triangles, in degrees
+  /// the angles of a set of triangles, in degrees; a triangle with two equal corners counts in the extremes as of 0 and 180
   struct Angles
   {
     /// the smallest angle

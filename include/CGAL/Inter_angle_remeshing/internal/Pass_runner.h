@@ -168,7 +168,7 @@ public:
       return repairer.part_crossing_faces<ConcurrencyTag>(report_.crossing_faces); });
   }
 
-  // Puts vertices that relaxation left a little off the surface onto it. A run that was cancelled does that, too, but tells nobody.
+  // Puts vertices that relaxation left a little off the surface onto it, though the run was cancelled; nobody is told.
   void pull_back()
   {
     relaxation_.run<ConcurrencyTag>(mesh_, context_.projector, 0, Pull_back::after_last_sweep, curve_tolerance());

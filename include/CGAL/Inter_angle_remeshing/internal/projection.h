@@ -29,11 +29,12 @@ namespace internal {
 inline Vector3 checked_projection(const Vector3& v)
 {
   constexpr double FARTHEST = 1e100;
-  const char* message = !is_finite(v) ? "the projection functor returned a point that is not finite" :
-                        (std::max)({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) > FARTHEST ?
-                        "the projection functor returned a point more than 1e100 times as far away as the mesh is large" : nullptr;
-  if (message != nullptr)
+  const auto fail = [](const char* message) {
     throw CGAL::Postcondition_exception("Inter_angle_remeshing", "projection_functor", __FILE__, __LINE__, message);
+  };
+  if (!is_finite(v)) fail("the projection functor returned a point that is not finite");
+  if ((std::max)({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) > FARTHEST)
+    fail("the projection functor returned a point more than 1e100 times as far away as the mesh is large");
   return v;
 }
 
