@@ -317,6 +317,37 @@ void wanted_numbers_of_faces_are_met()
   }
 }
 
+// The fewer faces there are, the more of them the clean-up makes or takes away, and the more a collapse must be allowed.
+void coarse_numbers_of_faces_are_met()
+{
+  constexpr double TOLERANCE = .02;
+  constexpr std::size_t LEAST = 100;
+  for(const char* name : {"bear_bis", "camel", "cow", "dino", "elephant", "handle", "homer", "knot1", "retinal", "triceratops"})
+  {
+    const Mesh& input = mesh_of_cgal(name);
+    if(meshes::is_small_run() && input.number_of_faces() > SMALL)
+      continue;
+    for(const double factor : {.05, .1})
+    {
+      const std::size_t wanted = std::size_t(factor * double(input.number_of_faces()));
+      if(wanted < LEAST)
+        continue;
+      Mesh output = input;
+      IAR::isotropic_remeshing(IAR::Face_count(wanted), output);
+      const double ratio = double(output.number_of_faces()) / double(wanted);
+      CHECK_MESSAGE(std::abs(ratio - 1) <= TOLERANCE, name << ": " << ratio << " of " << wanted);
+      check_same_shape(output, input, name);
+    }
+  }
+  // Of spheres of so few faces some are farther from the surface than a collapse goes by itself.
+  for(const std::size_t wanted : {20, 40, 98})
+  {
+    Mesh sphere = meshes::to_mesh<Mesh>(meshes::sphere(2));
+    IAR::isotropic_remeshing(IAR::Face_count(wanted), sphere);
+    CHECK_MESSAGE(sphere.number_of_faces() == wanted, sphere.number_of_faces() << " of " << wanted);
+  }
+}
+
 // Models on which moving vertices leaves angles out of the band, or folds.
 const char* const HARD[] = {"armadillo", "dino", "cow", "triceratops", "bull"};
 
@@ -1310,6 +1341,7 @@ int main(int argc, char* argv[])
   degenerate_faces_are_survived();
   lengths_far_too_large_and_far_too_small_return();
   wanted_numbers_of_faces_are_met();
+  coarse_numbers_of_faces_are_met();
   the_repair_reaches_the_band();
   large_distances_are_lowered();
   crossing_faces_are_parted();

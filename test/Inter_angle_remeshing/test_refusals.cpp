@@ -448,6 +448,13 @@ void progress_rises_from_0_to_1()
       CHECK_MESSAGE(std::count_if(progress.begin(), progress.end(), [](double p) { return p > 4 / (4 + .8 * 4); }) >= 6,
                     progress.size());
   }
+  // a clean-up that is gone through again, as it misses the wanted number of faces
+  Mesh m = to_mesh<Mesh>(sphere(4));
+  std::vector<double> progress;
+  IAR::isotropic_remeshing(IAR::Face_count(12), m,
+    parameters::callback([&](double done) { progress.push_back(done); return true; }));
+  CHECK(std::is_sorted(progress.begin(), progress.end()));
+  CHECK(progress.back() == 1 && std::count(progress.begin(), progress.end(), 1.) == 1);
 }
 
 template <class Graph>

@@ -74,6 +74,9 @@ private:
   static constexpr int MOST_COARSENINGS = 8;
   // Sweeps after the clean-up.
   static constexpr unsigned CLEAN_UP_SWEEPS = 3;
+  // What the clean-up leaves further from the wanted number of faces, as a part of it, goes through it again, up to so many times.
+  static constexpr double RECOUNTED = 0.01;
+  static constexpr int MOST_RECOUNTS = 2;
   // As many pairs of crossing faces, for so many faces, are still parted on the finest level.
   static constexpr double FEW_CROSSINGS = 0.005;
   // Sweeps on a level between the coarsest and the finest one.
@@ -141,6 +144,7 @@ private:
     report_.target_edge_length = mesh_.unit() * context_.target_length;
     clock_.begin_anew(schedule_.iterations, levels);
     operations_in_order_ = 0;
+    context_.kept_places = Kept_places();
     is_fitted_ = is_stirred_up_ = is_only_split_ = has_poor_spots_ = false;
   }
 
@@ -228,8 +232,13 @@ private:
   std::size_t split_and_collapse(double widening = 1)
   {
     const std::size_t splits = passes_.split_and_collapse(widening);
-    if (wanted_faces() > 0 && clock_.is_late()) passes_.meet_face_count(wanted_faces());
+    if (clock_.is_late()) meet_face_count();
     return splits;
+  }
+
+  void meet_face_count()
+  {
+    if (wanted_faces() > 0) passes_.meet_face_count(wanted_faces());
   }
 
   void relax()
@@ -321,10 +330,23 @@ private:
   void clean_up()
   {
     clock_.start_clean_up();
+    mend();
+    for (int round = 0; round < MOST_RECOUNTS && goes_on() && misses_face_count(); ++round) mend();
+  }
+
+  bool misses_face_count() const
+  {
+    const std::size_t faces = mesh_.number_of_live_faces(), wanted = wanted_faces();
+    return wanted > 0 && std::abs(double(faces) - double(wanted)) > RECOUNTED * double(wanted) + 1 &&
+           !is_due_to_curves(mesh_, faces, wanted);
+  }
+
+  void mend()
+  {
     passes_.measure_grading();
     mend_valences();
     if (goes_on() && clock_.levels() > 0) mend_spots();
-    context_.kept_places.note(mesh_);
+    if (!is_fitted_) context_.kept_places.note(mesh_);
     is_fitted_ = goes_on();
     passes_.fit();
     passes_.polish();
@@ -337,6 +359,7 @@ private:
   void mend_valences()
   {
     passes_.remove_low_valences();
+    if (is_at_finest_level()) meet_face_count();
     passes_.flip(1, false);
     if (recipe_.sweeps > 0) passes_.relax(CLEAN_UP_SWEEPS, Pull_back::after_last_sweep);
   }

@@ -21,6 +21,8 @@ class Run_clock
   static constexpr double LEVEL = 1, CLEAN_UP = 0.8;
   // Passes of an iteration without rounds of flips, of such a round, and of the clean-up.
   static constexpr double PASSES = 3, PASSES_OF_ROUND = 2, PASSES_OF_CLEAN_UP = 10;
+  // The part of the clean-up that passes can do; the rest is told when none is left.
+  static constexpr double LARGEST_PART = 0.99;
 
 public:
   Run_clock(unsigned iterations, bool has_clean_up) : last_iteration_(iterations), has_clean_up_(has_clean_up) {}
@@ -57,7 +59,7 @@ public:
   void end_pass(unsigned flip_rounds)
   {
     const double passes = is_cleaning_up_ ? PASSES_OF_CLEAN_UP : PASSES + PASSES_OF_ROUND * flip_rounds;
-    const double part = (std::min)(1., ++passes_ / passes), iterations = last_iteration_, finest = iterations + LEVEL * levels_,
+    const double part = (std::min)(is_cleaning_up_ ? LARGEST_PART : 1., ++passes_ / passes), iterations = last_iteration_, finest = iterations + LEVEL * levels_,
                  clean_up = has_clean_up_ ? CLEAN_UP * iterations : 0;
     const double done = is_cleaning_up_        ? finest + part * clean_up :
                         levels_left_ < levels_ ? iterations + LEVEL * (levels_ - levels_left_ - 1 + part) :

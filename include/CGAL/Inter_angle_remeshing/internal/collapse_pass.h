@@ -197,6 +197,7 @@ inline Remeshing_mesh::Index choose_collapse(const Remeshing_context& context, R
 inline Remeshing_mesh::Index collapse(Remeshing_context& context, Remeshing_mesh::Index h)
 {
   const Remeshing_mesh::Index kept = context.mesh.source(context.mesh.opposite(h));
+  context.kept_places.hand_over(context.mesh.source(h), kept);
   context.visitor.before_collapse(Mesh_halfedge(h), context.mesh);
   context.mesh.collapse(h);
   context.visitor.after_collapse(Mesh_vertex(kept), context.mesh);

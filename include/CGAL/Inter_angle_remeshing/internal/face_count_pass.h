@@ -25,8 +25,20 @@ namespace internal {
 
 // At most this part of the faces is added or removed: more would spoil the valences.
 constexpr double MOST_CORRECTED = 0.1;
-// Collapses that leave a vertex of the first valence come first.
-constexpr int LOW_MERGED_VALENCE = 7, HIGH_MERGED_VALENCE = 8;
+// What collapses may do: the valence of the merged vertex, and how far the removed one may lie from the new surface, in tolerances of
+// the recipe. Those that spoil less come first; where there are curves, none goes beyond the tolerance.
+struct Surplus_limits
+{
+  int valence;
+  double tolerance;
+};
+constexpr Surplus_limits SURPLUS_LIMITS[] = {{7, 1}, {8, 1}, {7, 2}, {8, 2}, {8, 4}};
+
+// Whether so many faces too many are those that borders and features cost: no collapse takes them away.
+inline bool is_due_to_curves(const Remeshing_mesh& mesh, std::size_t faces, std::size_t wanted_faces)
+{
+  return mesh.has_curves() && double(faces) > (1 + MOST_CORRECTED) * double(wanted_faces);
+}
 
 // The edges that are not on curves, by their length over what their target length is, the shortest one first.
 inline std::vector<std::pair<double, Remeshing_mesh::Index>> edges_by_length(const Remeshing_context& context)
@@ -50,11 +62,13 @@ inline std::size_t collapse_surplus(Remeshing_context& context, std::size_t want
   const std::size_t goal = (std::max)(wanted_faces, faces - std::size_t(MOST_CORRECTED * double(faces)));
   if (faces <= goal + 1) return 0;
   const auto squared = [](double x) { return x * x; };
-  Collapse_limits limits{squared(CLEAN_UP_LENGTH * context.target_length),
-                         squared(context.recipe.collapse_tolerance * context.target_length), 0};
   const auto edges = edges_by_length(context);
   std::size_t collapses = 0;
-  for (limits.valence = LOW_MERGED_VALENCE; limits.valence <= HIGH_MERGED_VALENCE; ++limits.valence)
+  for (const Surplus_limits& surplus : SURPLUS_LIMITS) {
+    if (surplus.tolerance > 1 && mesh.has_curves()) break;
+    const Collapse_limits limits{squared(CLEAN_UP_LENGTH * context.target_length),
+                                 squared(surplus.tolerance * context.recipe.collapse_tolerance * context.target_length),
+                                 surplus.valence};
     for (const auto& e : edges) {
       if (mesh.number_of_live_faces() <= goal + 1) break;
       const Index h = e.second;
@@ -64,6 +78,7 @@ inline std::size_t collapse_surplus(Remeshing_context& context, std::size_t want
       collapse(context, k);
       ++collapses;
     }
+  }
   return collapses;
 }
 

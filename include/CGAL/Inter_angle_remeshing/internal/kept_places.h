@@ -40,6 +40,7 @@ public:
   // Before a vertex is merged into another one.
   void hand_over(Index removed, Index kept)
   {
+    if (own_.empty()) return;
     std::vector<Vector3> places;
     all_of(removed, [&](const Vector3& p) { places.push_back(p); return true; });
     if (std::size_t(removed) < own_.size()) own_[removed].reset();

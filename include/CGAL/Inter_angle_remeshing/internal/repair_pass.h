@@ -200,8 +200,6 @@ private:
 
   void commit(const Operation& operation)
   {
-    if (const Index h = operation.halfedge; operation.kind == Operation::Kind::collapse)
-      context_.kept_places.hand_over(mesh_.source(h), mesh_.source(mesh_.opposite(h)));
     const std::vector<Index> touched = operations_.perform(operation);
     descent_.sweep(ball(mesh_, touched, 1, marks_), SWEEPS);
     const std::vector<Index> around = ball(mesh_, touched, 2, marks_);
