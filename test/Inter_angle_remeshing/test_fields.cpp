@@ -629,6 +629,30 @@ void the_lent_vertex_keeps_its_value()
     CHECK_MESSAGE(value[v] == x, v);
 }
 
+// It has its own point again when values are read.
+void readers_see_the_input()
+{
+  struct Reader : IAR::Default_visitor
+  {
+    Reader(const Mesh& mesh, const Mesh& input) : mesh(mesh), input(input) {}
+    void read_vertex(std::size_t, const std::array<Vertex, 3>& corners, const std::array<double, 3>&)
+    {
+      for(const Vertex v : corners)
+        (mesh.point(v) == input.point(v) ? same : other) += 1;
+    }
+    void write_vertex(std::size_t, Vertex) {}
+    const Mesh &mesh, &input;
+    std::size_t same = 0, other = 0;
+  };
+  const Mesh input = meshes::to_mesh<Mesh>(meshes::sphere(2));
+  Mesh m = input;
+  Reader reader(m, input);
+  IAR::isotropic_remeshing(.5 * mean_edge_length(m), m, parameters::visitor(std::ref(reader))
+                                                           .projection_functor([&](Vertex v) { return m.point(v); }));
+  CHECK(reader.same > 0);
+  CHECK_MESSAGE(reader.other == 0, reader.other);
+}
+
 // Whatever throws while values are read leaves mesh and maps as they were.
 void nothing_is_lost()
 {
@@ -668,6 +692,7 @@ int main()
   faces_and_kept_vertices();
   attributes_with_every_projector();
   the_lent_vertex_keeps_its_value();
+  readers_see_the_input();
   nothing_is_lost();
   return result();
 }

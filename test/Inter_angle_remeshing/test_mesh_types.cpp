@@ -651,6 +651,54 @@ void lengths_may_be_exact()
     CHECK(coordinates(exact.point(v)) == coordinates(plain.point(v)));
 }
 
+// Points that were constructed have no doubles of their own, and what stands for them may change as exact values are asked for. That
+// changes neither points of vertices that stay nor the result.
+void constructed_points_are_kept()
+{
+  using Exact_mesh = CGAL::Surface_mesh<Epeck::Point_3>;
+  using Exact_vertex = Exact_mesh::Vertex_index;
+  const auto turned = [&]() {
+    auto m = meshes::to_mesh<Exact_mesh>(meshes::sphere(3));
+    for(const Exact_vertex v : m.vertices())
+    {
+      const Epeck::Point_3 p = m.point(v);
+      m.point(v) = Epeck::Point_3((3 * p.x() - 4 * p.y()) / 5, (4 * p.x() + 3 * p.y()) / 5, p.z() / 3);
+    }
+    return m;
+  };
+  const auto as_doubles = [](const Exact_mesh& m) {
+    std::vector<std::array<double, 3>> result;
+    for(const Exact_vertex v : m.vertices())
+    {
+      const auto p = CGAL::exact(m.point(v));
+      result.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
+    }
+    return result;
+  };
+  const double length = .1;
+  Exact_mesh lazy = turned(), evaluated = turned();
+  for(const Exact_vertex v : evaluated.vertices())
+    CGAL::exact(evaluated.point(v));
+  IAR::isotropic_remeshing(length, lazy);
+  IAR::isotropic_remeshing(length, evaluated);
+  CHECK(as_doubles(lazy) == as_doubles(evaluated));
+
+  // The user's code asks for exact values while the run is under way.
+  const Exact_mesh input = turned();
+  Exact_mesh m = turned();
+  const auto is_kept = m.add_property_map<Exact_vertex, bool>("v:kept", false).first;
+  for(const Exact_vertex v : m.vertices())
+    is_kept[v] = v.idx() % 3 == 0;
+  IAR::isotropic_remeshing([&](const Epeck::Point_3&) {
+    for(const Exact_vertex v : m.vertices())
+      CGAL::exact(m.point(v));
+    return length;
+  }, m, parameters::vertex_is_constrained_map(is_kept).number_of_iterations(1));
+  for(const Exact_vertex v : input.vertices())
+    if(v.idx() % 3 == 0)
+      CHECK(!m.is_removed(v) && m.point(v) == input.point(v));
+}
+
 // A part of a mesh as a mesh of its own cannot be changed, as a range of faces it can be remeshed.
 void a_filtered_mesh_is_a_range()
 {
@@ -743,6 +791,7 @@ int main()
 #endif
   patches_may_have_names();
   lengths_may_be_exact();
+  constructed_points_are_kept();
   a_map_of_points_will_do();
   a_filtered_mesh_is_a_range();
   return result();

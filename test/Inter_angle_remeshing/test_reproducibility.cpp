@@ -17,7 +17,9 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
+#  include <tbb/parallel_for.h>
 #  include <tbb/task_arena.h>
+#  include <tbb/task_group.h>
 #endif
 
 #include "check.h"
@@ -309,6 +311,23 @@ void any_number_of_threads_yields_the_same()
   sphere.mesh = meshes::to_mesh<Mesh>(meshes::sphere(meshes::is_small_run() ? 2 : 5));
   check_threads<Projected>(sphere);
 }
+
+// A run that goes on while the tasks around it are cancelled must not leave out what it would do in tasks of its own.
+void cancelled_tasks_around_a_run_change_nothing()
+{
+  const Input input = closed_input();
+  Mesh expected = input.mesh, mesh = input.mesh;
+  const std::size_t hash = Plain::remesh<CGAL::Sequential_tag>(expected, input.length);
+  std::size_t hash_within_cancelled = 0;
+  tbb::task_group_context context;
+  tbb::parallel_for(0, 1, [&](int) {
+    context.cancel_group_execution();
+    hash_within_cancelled = Plain::remesh<CGAL::Parallel_tag>(mesh, input.length);
+  }, context);
+  CHECK(context.is_group_execution_cancelled());
+  CHECK(hash_within_cancelled == hash);
+  CHECK(Picture<Mesh>(mesh) == Picture<Mesh>(expected));
+}
 #endif
 
 // --- scale and place ---------------------------------------------------------------------------------------------
@@ -377,6 +396,7 @@ int main()
   a_polyhedron_becomes_the_same();
 #ifdef CGAL_LINKED_WITH_TBB
   any_number_of_threads_yields_the_same();
+  cancelled_tasks_around_a_run_change_nothing();
 #endif
   powers_of_two_commute_with_remeshing();
   tiny_huge_and_far_away_meshes_are_remeshed();

@@ -9,11 +9,14 @@
 #include <CGAL/Inter_angle_remeshing/internal/Vector3.h>
 #include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
 
+#include <CGAL/exceptions.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -308,6 +311,15 @@ private:
     std::uint8_t regular_valence = 6;
   };
 
+  // As many can be indexed by their half-edges.
+  static constexpr std::size_t MOST_FACES = std::size_t((std::numeric_limits<Index>::max)()) / 4;
+  static void check_number_of_faces(std::size_t n)
+  {
+    if (n > MOST_FACES)
+      throw CGAL::Postcondition_exception("Inter_angle_remeshing", "isotropic_remeshing()", __FILE__, __LINE__,
+        "more than " + std::to_string(MOST_FACES) + " faces, which cannot be indexed; does the projection enlarge the surface?");
+  }
+
   // The most that a vertex's state has room for.
   static constexpr int LARGEST_VALENCE = (std::numeric_limits<std::uint16_t>::max)();
   // A vertex of this valence cannot lose an edge.
@@ -403,6 +415,7 @@ inline Remeshing_mesh::Index Remeshing_mesh::new_face()
     free_faces_.pop_back();
     return f;
   }
+  check_number_of_faces(faces_.size() + 1);
   faces_.emplace_back();
   if (has_curves()) curve_edge_of_.resize(4 * faces_.size(), -1);
   return Index(faces_.size()) - 1;
@@ -734,6 +747,7 @@ template <class ConcurrencyTag>
 void Remeshing_mesh::subdivide(const Subdivision_numbers& numbers, const std::vector<Vector3>& points)
 {
   const std::size_t vertices = number_of_vertex_slots(), edges = numbers.edges.size(), faces = number_of_face_slots();
+  check_number_of_faces(4 * faces);
   Remeshing_mesh result;
   result.unit_ = unit_;
   result.faces_.resize(4 * faces);

@@ -214,7 +214,7 @@ private:
 
   Vector3 read_point(vertex_descriptor v) const
   {
-    const Vector3 q = to_vector3(get(vpm_, v));
+    const Vector3 q = exact_to_vector3(get(vpm_, v));
     if (!is_finite(q))
       refuse(caller_, "vertex number " + std::to_string(copy_.vertices.size() - 1) +
                       " of the range has a coordinate that is not finite");

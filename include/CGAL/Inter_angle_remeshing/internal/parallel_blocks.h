@@ -9,6 +9,8 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 #endif
 
 #include <algorithm>
@@ -41,7 +43,8 @@ inline std::size_t number_of_blocks(std::size_t n, std::size_t block_size)
   return (n + block_size - 1) / block_size;
 }
 
-// Calls `function(begin, end, block)` for every block of [0, n).
+// Calls `function(begin, end, block)` for every block of [0, n). What the caller's own tasks do has no part in it: that they are
+// cancelled must not leave blocks out, and none of them is taken up while this thread waits for the others.
 template <class ConcurrencyTag, class Function>
 void for_each_block(std::size_t n, std::size_t block_size, const Function& function)
 {
@@ -51,7 +54,8 @@ void for_each_block(std::size_t n, std::size_t block_size, const Function& funct
   };
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (is_parallel<ConcurrencyTag>()) {
-    tbb::parallel_for(std::size_t(0), blocks, run);
+    tbb::task_group_context context(tbb::task_group_context::isolated);
+    tbb::this_task_arena::isolate([&]() { tbb::parallel_for(std::size_t(0), blocks, run, context); });
     return;
   }
 #else

@@ -153,7 +153,8 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   };
   Attribute_exchange attributes(parameters.visitor, exchange, tmesh, mesh);
   bool is_to_be_written = true;
-  Remeshing_report report = run_with_projector(parameters, exchange, mesh, kind, curves, wanted, [&](const Projection& projector) {
+  Remeshing_report report = run_with_projector(parameters, exchange, mesh, kind, curves, wanted,
+                                               [&](const Projection& projector, const auto&... restore) {
     std::optional<Input_locator> locator;
     if (wanted.sizing.needs_places() || attributes.are_carried()) locator.emplace(projector, mesh);
     Remeshing_context context{mesh, parameters.recipe, curves, rule(parameters.split_policy), rule(parameters.collapse_policy),
@@ -162,6 +163,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
                               has_small_details ? parameters.recipe.grading : 0., noise(kind, mean_length, target), Grading(),
                               Kept_places()};
     const Run_result result = run_passes<Concurrency>(context, parameters.schedule, untouched);
+    (restore(), ...);
     is_to_be_written = result.has_target_length;
     if (is_to_be_written && attributes.are_carried()) attributes.read(mesh, *locator);
     return result.report;

@@ -101,7 +101,8 @@ Remeshing_report run_with_rule(double unit, bool is_concurrent, const std::funct
   return run(projection);
 }
 
-// Runs the remesher with the projector that the functor asks for. A wanted number of faces is one of the surface that
+// Calls `run(projection)`, or `run(projection, restore)` where the mesh must be restored after the passes, with the projector that the
+// functor asks for. A wanted number of faces is one of the surface that
 // the result lies on: the target length follows its area.
 template <class Parameters, class Exchange, class Run>
 Remeshing_report run_with_projector(const Parameters& parameters, const Exchange& exchange, Remeshing_mesh& mesh,
@@ -140,9 +141,8 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
   else {
     const Carrier_vertex<Functor, Vertex, decltype(parameters.vertex_point_map)> carrier(
       functor, exchange.input_vertices().front(), parameters.vertex_point_map);
-    const Remeshing_report report = run_with_rule(mesh.unit(), false, std::cref(carrier), run);
-    carrier.restore();
-    return report;
+    return run_with_rule(mesh.unit(), false, std::cref(carrier), [&](const Projection& projection) {
+      return run(projection, [&]() { carrier.restore(); }); });
   }
 }
 

@@ -110,7 +110,7 @@ Target read_field(const Field& field, bool is_scaled, Exchange& exchange, Triang
     double l;
     if constexpr (Is_sizing_field<Field, Vertex, TriangleMesh>::value) l = CGAL::to_double(field.at(v, tmesh));
     else l = CGAL::to_double(field(Point_3(get(vpm, v))));
-    lengths.push_back(checked_length(l, to_vector3(get(vpm, v))));
+    lengths.push_back(checked_length(l, exact_to_vector3(get(vpm, v))));
   }
   const double unit = is_scaled ? *std::max_element(lengths.begin(), lengths.end()) : mesh.unit();
   for (double& l : lengths) l = (std::min)(LONGEST_LENGTH, l / unit);

@@ -9,6 +9,9 @@
 
 #include <CGAL/number_utils.h>
 
+#include <type_traits>
+#include <utility>
+
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
@@ -18,6 +21,28 @@ template <class Triple>
 Vector3 to_vector3(const Triple& t)
 {
   return {CGAL::to_double(t.x()), CGAL::to_double(t.y()), CGAL::to_double(t.z())};
+}
+
+template <class T, class = void>
+struct Is_lazy : std::false_type {};
+template <class T>
+struct Is_lazy<T, std::void_t<decltype(std::declval<const T&>().exact(), std::declval<const T&>().approx().is_point())>> : std::true_type {};
+
+// What CGAL::to_double() makes of a lazy number depends on whether its exact value has been asked for; this does not.
+template <class Number>
+double exact_to_double(const Number& x)
+{
+  if constexpr (Is_lazy<Number>::value) {
+    if (!x.approx().is_point()) return CGAL::to_double(x.exact());
+  }
+  return CGAL::to_double(x);
+}
+
+// The same for the points of a mesh, which are read more than once.
+template <class Point>
+Vector3 exact_to_vector3(const Point& p)
+{
+  return {exact_to_double(p.x()), exact_to_double(p.y()), exact_to_double(p.z())};
 }
 
 } // namespace internal
