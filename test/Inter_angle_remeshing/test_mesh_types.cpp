@@ -643,8 +643,9 @@ void lengths_may_be_exact()
   const Soup soup = meshes::sphere(3);
   auto exact = meshes::to_mesh<CGAL::Surface_mesh<Epeck::Point_3>>(soup);
   auto plain = meshes::to_mesh<Double_mesh>(soup);
-  IAR::isotropic_remeshing([](const Epeck::Point_3& p) -> Epeck::FT { return (3 + p.z()) / 16; }, exact);
-  IAR::isotropic_remeshing([](const Double_kernel::Point_3& p) { return (3 + p.z()) / 16; }, plain);
+  IAR::isotropic_remeshing([](const Epeck::Point_3& p) -> Epeck::FT { return (3 + p.z()) / 16; }, exact,
+                           parameters::number_of_iterations(Epeck::FT(10)).sharpness_angle(Epeck::FT(180)));
+  IAR::isotropic_remeshing([](const Double_kernel::Point_3& p) { return (3 + p.z()) / 16; }, plain, parameters::sharpness_angle(180));
   CHECK(exact.number_of_faces() != soup.faces.size());
   CHECK(exact.number_of_vertices() == plain.number_of_vertices() && exact.number_of_faces() == plain.number_of_faces());
   for(const auto v : plain.vertices())

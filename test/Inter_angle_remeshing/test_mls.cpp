@@ -543,6 +543,19 @@ void a_point_set_is_enough()
   }
   const Point_set_mls wide(scan, 30, 2, .2);
   CHECK(distance_from_sphere(wide.project(Point(1.05, 0, 0))) < 3e-3);
+  // In other units, powers of two, everything is the same, however small or large they are.
+  const Point_set_mls as_it_is(scan, 30);
+  const Point p(.7, .7, .3);
+  for(const int exponent : {-1000, -600, -3, 600, 1000})
+  {
+    const auto scaled = [&](const Point& x) {
+      return Point(std::ldexp(x.x(), exponent), std::ldexp(x.y(), exponent), std::ldexp(x.z(), exponent)); };
+    auto other = scan;
+    for(auto& sample : other)
+      sample.first = scaled(sample.first);
+    CHECK_MESSAGE(Point_set_mls(other, 30).project(scaled(p)) == scaled(as_it_is.project(p)), exponent);
+    CHECK_MESSAGE(Point_set_mls(other, 30, 2, std::ldexp(.2, exponent)).project(scaled(p)) == scaled(wide.project(p)), exponent);
+  }
 }
 
 void point_sets_that_are_none_are_refused()
@@ -555,6 +568,8 @@ void point_sets_that_are_none_are_refused()
   CHECK_THROWS_WITH_TEXT(Point_set_mls(one, 20, 2, -1), CGAL::Precondition_exception, "bandwidth");
   const Scan bad(1, {Point(1, std::numeric_limits<double>::quiet_NaN(), 3), Vector(0, 0, 1)});
   CHECK_THROWS_WITH_TEXT(Point_set_mls{bad}, CGAL::Precondition_exception, "not finite");
+  // no more neighbors than there are points
+  CHECK(Point_set_mls(one, (std::numeric_limits<unsigned>::max)()).project(Point(0, 0, 0)) == Point_set_mls(one).project(Point(0, 0, 0)));
   // one point has a tangent plane; equal points, too
   CHECK(distance(Point_set_mls(one).project(Point(0, 0, 0)), Point(0, 0, 3)) < 1e-15);
   CHECK(distance(Point_set_mls(Scan(100, one[0])).project(Point(0, 0, 0)), Point(0, 0, 3)) < 1e-15);

@@ -280,11 +280,11 @@ void recipes_out_of_range_are_refused()
   check("distance_tolerance", &IAR::Recipe::distance_tolerance, NOT_A_NUMBER, true);
   check("distance_tolerance", &IAR::Recipe::distance_tolerance, 0., false);
   for(const double bad : {-1., 60., 61., NOT_A_NUMBER})
-    check("band of angles", &IAR::Recipe::lower_angle, bad, true);
+    check("Recipe::lower_angle", &IAR::Recipe::lower_angle, bad, true);
   for(const double bad : {59., 60., 181., NOT_A_NUMBER})
-    check("band of angles", &IAR::Recipe::upper_angle, bad, true);
-  check("band of angles", &IAR::Recipe::lower_angle, 0., false);
-  check("band of angles", &IAR::Recipe::upper_angle, 180., false);
+    check("Recipe::upper_angle", &IAR::Recipe::upper_angle, bad, true);
+  check("Recipe::lower_angle", &IAR::Recipe::lower_angle, 0., false);
+  check("Recipe::upper_angle", &IAR::Recipe::upper_angle, 180., false);
 }
 
 // A cone with `n` faces.
@@ -392,9 +392,23 @@ void an_empty_range_is_nothing_to_do()
   };
   check(IAR::isotropic_remeshing(none, .1, m));
   check(IAR::isotropic_remeshing(none, IAR::Face_count(100), m));
+  CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing(none, -.1, m), CGAL::Precondition_exception, "not negative");
+  CHECK_THROWS_WITH_TEXT(IAR::isotropic_remeshing(none, IAR::Face_count(0), m), CGAL::Precondition_exception, "faces is 0");
   Mesh empty;
   CHECK(IAR::isotropic_remeshing(.1, empty).ending == Report::Ending::nothing_to_do);
   CHECK(empty.is_empty());
+}
+
+// A round without a flip or a glide is the last one of its iteration.
+void rounds_of_flips_end_when_nothing_is_left_to_flip()
+{
+  Mesh m = to_mesh<Mesh>(sphere(2)), other = m;
+  IAR::Recipe recipe;
+  recipe.flip_rounds = 100;
+  IAR::isotropic_remeshing(.2, m, IAR::recipe(recipe));
+  recipe.flip_rounds = (std::numeric_limits<unsigned>::max)();
+  IAR::isotropic_remeshing(.2, other, IAR::recipe(recipe));
+  CHECK(Picture<Mesh>(m) == Picture<Mesh>(other));
 }
 
 void no_iteration_is_nothing_to_do()
@@ -1096,6 +1110,7 @@ int main()
   vertices_with_too_many_faces_are_refused();
   doubled_edges_are_refused_only_where_they_are_protected();
   an_empty_range_is_nothing_to_do();
+  rounds_of_flips_end_when_nothing_is_left_to_flip();
   no_iteration_is_nothing_to_do();
   a_projection_that_is_not_finite_ends_the_run();
 

@@ -43,11 +43,10 @@ Curvatures are averaged over neighborhoods of half the target length, of two to 
 cancels out. The field knows the vertices of the range as it was constructed, and is to be used before the mesh is changed.
 
 `CGAL::Polygon_mesh_processing::Adaptive_sizing_field` of \cgal 6, of which this one has the arguments, is taken by
-`isotropic_remeshing()` as well.
+`isotropic_remeshing()` as well. Of the concept `PMPSizingField` this class has the member that `isotropic_remeshing()` calls, not those
+that %Polygon_mesh_processing calls.
 
 Complexity: linear in the number of faces, times log of it.
-
-\cgalModels `PMPSizingField`
 
 @tparam TriangleMesh a model of `FaceGraph`
 */

@@ -288,7 +288,7 @@ double Edge_profile<TM, VPM, ECM, IVM>::dihedral_cosine() const
 {
   if (is_border()) return 1;
   const Vector3 s = position(source()), t = position(target());
-  // Of unit edges, so that no product overflows, whatever the user's unit is.
+  // Of unit edges: only their own squares must be finite, which the scale sees to.
   const Vector3 edge = internal::unit(t - s);
   const Vector3 left = internal::unit(internal::cross(edge, internal::unit(position(left_vertex()) - s)));
   const Vector3 right = internal::unit(internal::cross(internal::unit(position(right_vertex()) - s), edge));

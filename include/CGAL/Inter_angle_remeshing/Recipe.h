@@ -104,11 +104,11 @@ struct Recipe
   /// than twice the faces of the result, two more are made, which gain two. Vertices on the border and on features stay. 0 leaves
   /// every vertex on the surface, as does a projection functor that is none of this package's.
   unsigned fits = 1;
-  /// the band, in degrees, that the clean-up brings the angles into: its lower bound, under 60. It moves vertices along the
+  /// the band, in degrees, that the clean-up brings the angles into: its lower bound, in [0, 60). It moves vertices along the
   /// surface first, heading for a band that is narrower by 2 degrees below and 3 above, then see `repair`. Faces that touch
   /// the border or a feature have the band [33, 103] if that is wider. The report tells what is left out of it.
   double lower_angle = 42;
-  /// its upper bound, over 60
+  /// its upper bound, in (60, 180]
   double upper_angle = 88;
   /// whether the clean-up tries flips, collapses and splits where moving vertices does not reach the band, at folds, and where faces
   /// cross others: though the input does not cross itself there, or, where the target length is 1.5 times as long as the edges of

@@ -54,7 +54,7 @@ struct Remeshing_report
   /// why an angle of a face is out of the band of `Recipe::lower_angle` and `Recipe::upper_angle`
   enum class Reason
   {
-    input_corner,     ///< it lies between two edges of borders or features: it is the input's
+    input_corner,     ///< every angle that is lies between two edges of borders or features: they are the input's
     border_or_feature,///< the face touches a border or a feature, which leave it no room
     no_operation      ///< no move, flip, collapse or split near it that policies and geometry allow mends it
   };
@@ -89,7 +89,8 @@ struct Remeshing_report
   std::size_t splits = 0;
   /// the number of edges collapsed, without those of the repair
   std::size_t collapses = 0;
-  /// the number of edges flipped, those of glides left out
+  /// the number of edges flipped, without those of glides and of the clean-up's passes that move vertices, which flip single edges
+  /// beside borders and features, and where they lower distances
   std::size_t flips = 0;
   /// the number of glides
   std::size_t glides = 0;

@@ -15,9 +15,8 @@ namespace Inter_angle_remeshing {
 
 @brief the same target edge length everywhere: `isotropic_remeshing()` does with it what it does with the number.
 
-For code that is written for sizing fields; `CGAL::Polygon_mesh_processing::Uniform_sizing_field` of \cgal 6 is taken as well.
-
-\cgalModels `PMPSizingField`
+For code that hands sizing fields to it; `CGAL::Polygon_mesh_processing::Uniform_sizing_field` of \cgal 6 is taken as well. Of the concept
+`PMPSizingField` this class has the member that `isotropic_remeshing()` calls, not those that %Polygon_mesh_processing calls.
 
 @tparam TriangleMesh a model of `FaceGraph`
 */

@@ -133,7 +133,8 @@ that of the other mesh). The random numbers are the same on every platform.
        the face by its place in `faces(tm)`, counted from 0. Release builds check this, too.
 
 Faces without an area are surface, too; vertices without a face are not. Neither a large distance from the origin nor
-the scale matters.
+the scale matters; but a mesh that is no larger than the rounding errors of the other one's coordinates, or of the distance between
+them, has no area beside it.
 
 Complexity: the search trees take \f$ O(n \log n) \f$ for *n* faces in both meshes, and the \f$ O(n + s) \f$ queries
 for *s* points about \f$ O(\log n) \f$ each where the surfaces are close to one another.

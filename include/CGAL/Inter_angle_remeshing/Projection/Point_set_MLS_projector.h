@@ -82,7 +82,7 @@ public:
   /// returns the projection of `p`.
   Point_3 project(const Point_3& p) const
   {
-    const Vector3 r = projection(internal::to_vector3(p));
+    const Vector3 r = data_->unit * projection((1 / data_->unit) * internal::to_vector3(p));
     return Point_3(r.x, r.y, r.z);
   }
 
@@ -101,7 +101,9 @@ private:
     explicit Data(const PointWithNormalRange& range) : Data(split(range)) {}
 
     struct Split { std::vector<Vector3> points, normals; };
-    explicit Data(Split&& s) : points(std::move(s.points)), normals(std::move(s.normals)), tree(points) {}
+    explicit Data(Split&& s)
+      : unit(unit_of(s.points)), points(in_units(unit, std::move(s.points))), normals(std::move(s.normals)), tree(points)
+    {}
 
     template <class PointWithNormalRange>
     static Split split(const PointWithNormalRange& range)
@@ -118,6 +120,27 @@ private:
       return s;
     }
 
+    // The power of two next above the largest extent: in such units squares neither overflow nor vanish, and the way there and back
+    // is exact.
+    static double unit_of(const std::vector<Vector3>& points)
+    {
+      constexpr int LARGEST_EXPONENT = 1020;
+      double extent = 0;
+      for (const Vector3& p : points) {
+        const Vector3 d = p - points.front();
+        extent = (std::max)({extent, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+      }
+      int exponent = 0;
+      if (extent > 0 && std::isfinite(extent)) std::frexp(extent, &exponent);
+      return std::ldexp(1., (std::max)(-LARGEST_EXPONENT, (std::min)(LARGEST_EXPONENT, exponent)));
+    }
+    static std::vector<Vector3> in_units(double unit, std::vector<Vector3> points)
+    {
+      for (Vector3& p : points) p = (1 / unit) * p;
+      return points;
+    }
+
+    double unit;
     std::vector<Vector3> points, normals;
     internal::Sample_tree tree;
   };
@@ -131,7 +154,7 @@ private:
     found.erase(std::remove_if(found.begin(), found.end(),
                                [&](std::size_t i) { return !(dot(data_->normals[i], its_normal) > 0); }), found.end());
     const Vector3 onto_tangent_plane = r - dot(r - nearest, its_normal) * its_normal;
-    double h = bandwidth_;
+    double h = bandwidth_ / data_->unit;
     if (!(h > 0)) {
       for (const std::size_t i : found) h += squared_distance(data_->points[i], r) / double(found.size());
       h = std::sqrt(h);

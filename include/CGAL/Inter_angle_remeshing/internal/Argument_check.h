@@ -190,7 +190,10 @@ struct Is_visitor<Not_given, void> : std::true_type {};
 template <class... Given>
 constexpr bool are_bools() { return ((std::is_same<Given, Not_given>::value || Is_choice<Given>::value) && ...); }
 template <class... Given>
-constexpr bool are_counts() { return ((std::is_same<Given, Not_given>::value || std::is_arithmetic<Given>::value) && ...); }
+constexpr bool are_counts()
+{
+  return ((std::is_same<Given, Not_given>::value || std::is_same<Given, bool>::value || Is_number<Given>::value) && ...);
+}
 
 template <class Angle>
 constexpr bool is_angle()

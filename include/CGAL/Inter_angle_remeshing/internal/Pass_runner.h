@@ -21,7 +21,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/regular_valence.h>
 #include <CGAL/Inter_angle_remeshing/internal/relax_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/repair_pass.h>
-#include <CGAL/Inter_angle_remeshing/internal/run_passes.h>
+#include <CGAL/Inter_angle_remeshing/internal/Schedule.h>
 #include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/spot_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/subdivision_pass.h>
@@ -98,9 +98,14 @@ public:
   {
     if (!goes_on() || context_.flip_rule.is_never()) return;
     measure_regular_valences<ConcurrencyTag>(mesh_, recipe_.curvature_valences && clock_.is_half_done());
-    for (unsigned round = 0; round < rounds; ++round) {
-      report_.flips += run(Pass::flip, [&]() { return flip_pass<ConcurrencyTag>(context_); });
-      if (does_glide) report_.glides += run(Pass::glide, [&]() { return glide_pass<ConcurrencyTag>(context_); });
+    std::size_t done = 1;
+    for (unsigned round = 0; round < rounds && done > 0; ++round) {
+      done = run(Pass::flip, [&]() { return flip_pass<ConcurrencyTag>(context_); });
+      report_.flips += done;
+      if (!does_glide) continue;
+      const std::size_t glides = run(Pass::glide, [&]() { return glide_pass<ConcurrencyTag>(context_); });
+      report_.glides += glides;
+      done += glides;
     }
   }
 

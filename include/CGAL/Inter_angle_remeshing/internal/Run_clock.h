@@ -59,7 +59,8 @@ public:
   void end_pass(unsigned flip_rounds)
   {
     const double passes = is_cleaning_up_ ? PASSES_OF_CLEAN_UP : PASSES + PASSES_OF_ROUND * flip_rounds;
-    const double part = (std::min)(is_cleaning_up_ ? LARGEST_PART : 1., ++passes_ / passes), iterations = last_iteration_, finest = iterations + LEVEL * levels_,
+    const double part = (std::min)(is_cleaning_up_ ? LARGEST_PART : 1., ++passes_ / passes),
+                 iterations = last_iteration_, finest = iterations + LEVEL * levels_,
                  clean_up = has_clean_up_ ? CLEAN_UP * iterations : 0;
     const double done = is_cleaning_up_        ? finest + part * clean_up :
                         levels_left_ < levels_ ? iterations + LEVEL * (levels_ - levels_left_ - 1 + part) :

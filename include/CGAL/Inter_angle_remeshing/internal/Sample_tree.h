@@ -36,11 +36,11 @@ public:
   {
     return Search(tree_, to_sample(q), 1).begin()->first.number;
   }
-  // The numbers of the k nearest points, nearest first.
+  // The numbers of the k nearest points, nearest first; of all of them where there are fewer.
   std::vector<std::size_t> nearest(const Vector3& q, unsigned k) const
   {
     std::vector<std::size_t> result;
-    const Search search(tree_, to_sample(q), k);
+    const Search search(tree_, to_sample(q), unsigned((std::min)(std::size_t(k), std::size_t(tree_.size()))));
     for (const auto& found : search) result.push_back(found.first.number);
     return result;
   }

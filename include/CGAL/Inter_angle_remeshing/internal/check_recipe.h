@@ -32,8 +32,8 @@ inline void check_recipe(const Recipe& recipe)
     refuse(REMESHING, "Recipe::glide_depth is " + std::to_string(recipe.glide_depth) + "; at most " +
                       std::to_string(MAXIMUM_GLIDE_DEPTH) + " is possible");
   if (!(recipe.lower_angle >= 0 && recipe.lower_angle < 60 && recipe.upper_angle > 60 && recipe.upper_angle <= 180))
-    refuse(REMESHING, "the band of angles [" + to_text(recipe.lower_angle) + ", " +
-                      to_text(recipe.upper_angle) + "] of the recipe must lie in [0, 180] and hold 60 inside");
+    refuse(REMESHING, "Recipe::lower_angle is " + to_text(recipe.lower_angle) + " and Recipe::upper_angle " +
+                      to_text(recipe.upper_angle) + "; they must lie in [0, 60) and in (60, 180]");
   const auto check_not_negative = [](double value, const char* name) {
     if (!(value >= 0)) refuse(REMESHING, std::string("Recipe::") + name + " is " + to_text(value) + "; it must not be negative");
   };

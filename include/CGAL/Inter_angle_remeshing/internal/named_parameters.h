@@ -90,10 +90,11 @@ double sharpness_cosine(const Angle& angle)
 template <class Count>
 unsigned count_from(const Count& count, const char* name)
 {
-  if (!(count >= Count(0)) || double(count) > double((std::numeric_limits<unsigned>::max)()))
-    refuse("isotropic_remeshing()", std::string(name) + " is " + std::to_string(count) +
+  const double x = number_to_double(count);
+  if (!(x >= 0 && x <= double((std::numeric_limits<unsigned>::max)())))
+    refuse("isotropic_remeshing()", std::string(name) + " is " + to_text(x) +
                                     "; it must be neither negative nor more than an unsigned int holds");
-  return static_cast<unsigned>(count);
+  return static_cast<unsigned>(x);
 }
 
 inline void set_sweeps(Recipe&, const Not_given&) {}

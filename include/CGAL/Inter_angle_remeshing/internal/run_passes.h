@@ -7,9 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
-
-#include <cstddef>
-#include <functional>
+#include <CGAL/Inter_angle_remeshing/internal/Schedule.h>
 
 // The door to the passes: what lies behind it knows no type of the user's, and takes the compiler longer than all the rest.
 // Behind a macro it is compiled once for many programs, see compiled_passes.h.
@@ -17,15 +15,6 @@
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
-
-// How a run goes, beside the recipe.
-struct Schedule
-{
-  unsigned iterations;
-  std::size_t wanted_faces;              // 0: the target length holds throughout
-  std::function<bool(double)> callback;
-  bool is_verbose;
-};
 
 struct Run_result
 {

@@ -72,11 +72,19 @@ inline void check_length(double length, double in_users_units, double area, doub
                       " faces were needed; at most " + to_text(MAXIMUM_NUMBER_OF_FACES) + " can be indexed");
 }
 
+inline void check_face_count(const Face_count& count)
+{
+  if (count.value == 0) refuse(REMESHING, "the wanted number of faces is 0");
+}
+
 // The same where there is no mesh to compare with.
 template <class Length>
 void check_length_value(const Length& length)
 {
-  if constexpr (Is_number<Length>::value) check_length(number_to_double(length), number_to_double(length), 0, 0); else (void)length;
+  if constexpr (Is_number<Length>::value) check_length(number_to_double(length), number_to_double(length), 0, 0);
+  else if constexpr (std::is_same<Length, Face_count>::value) check_face_count(length);
+  else if constexpr (Is_scaled_field<Length>::value) check_face_count(length.count);
+  else (void)length;
 }
 
 // A positive number that its unit has made 0 or infinite, as near to it as a finite positive one is.
@@ -85,11 +93,12 @@ inline double in_range_of_double(double x)
   return (std::max)((std::numeric_limits<double>::min)(), (std::min)((std::numeric_limits<double>::max)(), x));
 }
 
-inline double length_for_faces(std::size_t n, double area)
+inline double length_for_faces(const Face_count& count, double area)
 {
-  if (n == 0) refuse(REMESHING, "the wanted number of faces is 0");
-  if (!(area > 0)) refuse(REMESHING, std::to_string(n) + " faces are wanted of a range without an area; no length makes them");
-  return length_for_face_count(area, n);
+  check_face_count(count);
+  if (!(area > 0))
+    refuse(REMESHING, std::to_string(count.value) + " faces are wanted of a range without an area; no length makes them");
+  return length_for_face_count(area, count.value);
 }
 
 // The sizing that a field or a function of the position stands for; uniform, with its length, where a field is that. Of a field that is
@@ -132,11 +141,11 @@ Target read_target(const Length& length, Exchange& exchange, TriangleMesh& tmesh
   const double range_area = area(mesh);
   Target result{0, 0, Sizing()};
   if constexpr (std::is_same<Length, Face_count>::value)
-    result = {length_for_faces(length.value, range_area), length.value, Sizing()};
+    result = {length_for_faces(length, range_area), length.value, Sizing()};
   else if constexpr (Is_scaled_field<Length>::value) {
     result = read_field(referred(length.field), true, exchange, tmesh, vpm);
     result.faces = length.count.value;
-    result.length = length_for_faces(result.faces, range_area);
+    result.length = length_for_faces(length.count, range_area);
   } else if constexpr (Is_number<Length>::value) {
     const double wanted = number_to_double(length);
     result.length = wanted > 0 && std::isfinite(wanted) ? in_range_of_double(wanted / mesh.unit()) : wanted;
