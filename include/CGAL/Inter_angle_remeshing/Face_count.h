@@ -32,8 +32,8 @@ struct Face_count
   explicit Face_count(std::size_t n) : value(n) {}
 
   /// the same number of faces, sized by a field: its lengths are multiplied by the one factor that yields so many.
-  /// @param field what `isotropic_remeshing()` takes in place of a length: a class with the member `at()` of `PMPSizingField` or a function of the
-  ///        position; it is copied, hand it over by `std::ref` if that is dear
+  /// @param field what `isotropic_remeshing()` takes in place of a length: a class with the member `at()` of `PMPSizingField` or a
+  ///        function of the position; it is copied, hand it over by `std::ref` if that is dear
   template <class SizingField>
   Scaled_sizing_field<SizingField> scaling(const SizingField& field) const;
 

@@ -44,8 +44,8 @@ number of faces of the range and of the result, per iteration.
 
 @tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
 @tparam FaceRange a model of `ConstRange` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as value type
-@tparam Length a number type, `Face_count`, a class with the member `at(vertex, mesh)` of `PMPSizingField`, a functor `FT operator()(const Point_3&) const`, or what
-        `Face_count::scaling()` makes of one of these two
+@tparam Length a number type, `Face_count`, a class with the member `at(vertex, mesh)` of `PMPSizingField`, a functor
+        `FT operator()(const Point_3&) const`, or what `Face_count::scaling()` makes of one of these two
 @tparam TriangleMesh a model of `MutableFaceGraph` and `FaceListGraph` whose descriptors are models of `Hashable`
 @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
