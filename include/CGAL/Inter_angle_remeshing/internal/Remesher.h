@@ -74,7 +74,8 @@ private:
   static constexpr int MOST_COARSENINGS = 8;
   // Sweeps after the clean-up.
   static constexpr unsigned CLEAN_UP_SWEEPS = 3;
-  // What the clean-up leaves further from the wanted number of faces, as a part of it, goes through it again, up to so many times.
+  // What is further from the wanted number of faces when faces are mended, as a part of it, is corrected, and its faces are mended
+  // again, up to so many times.
   static constexpr double RECOUNTED = 0.01;
   static constexpr int MOST_RECOUNTS = 2;
   // As many pairs of crossing faces, for so many faces, are still parted on the finest level.
@@ -330,8 +331,17 @@ private:
   void clean_up()
   {
     clock_.start_clean_up();
-    mend();
-    for (int round = 0; round < MOST_RECOUNTS && goes_on() && misses_face_count(); ++round) mend();
+    passes_.measure_grading();
+    mend_valences();
+    if (goes_on() && clock_.levels() > 0) mend_spots();
+    context_.kept_places.note(mesh_);
+    mend_faces();
+    for (int round = 0; round < MOST_RECOUNTS && goes_on() && misses_face_count(); ++round) {
+      meet_face_count();
+      passes_.measure_grading();
+      passes_.flip(1, false);
+      mend_faces();
+    }
   }
 
   bool misses_face_count() const
@@ -341,13 +351,9 @@ private:
            !is_due_to_curves(mesh_, faces, wanted);
   }
 
-  void mend()
+  void mend_faces()
   {
-    passes_.measure_grading();
-    mend_valences();
-    if (goes_on() && clock_.levels() > 0) mend_spots();
-    if (!is_fitted_) context_.kept_places.note(mesh_);
-    is_fitted_ = goes_on();
+    is_fitted_ = is_fitted_ || goes_on();
     passes_.fit();
     passes_.polish();
     Repairer repairer(context_, report_.input_faces);
