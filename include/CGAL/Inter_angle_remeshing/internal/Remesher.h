@@ -77,7 +77,7 @@ private:
   // What is further from the wanted number of faces when faces are mended, as a part of it, is corrected, and its faces are mended
   // again, up to so many times.
   static constexpr double RECOUNTED = 0.01;
-  static constexpr int MOST_RECOUNTS = 2;
+  static constexpr int MOST_RECOUNTS = 3;
   // As many pairs of crossing faces, for so many faces, are still parted on the finest level.
   static constexpr double FEW_CROSSINGS = 0.005;
   // Sweeps on a level between the coarsest and the finest one.
