@@ -23,8 +23,8 @@ iteration to iteration; in the last two it collapses the shortest edges or split
 far as geometry and policies allow, but each time changes it by a tenth at most. Where the clean-up then leaves more than a hundredth
 too many or too few, that is corrected, and faces are mended again, up to three times. Measured on 30 organic models from .02 to 3
 times their number of faces: within 1.1%, .1% in the mean, wherever the result has 500 faces and more (185 runs); with 100 to 500
-(43 runs) within 2% in 40, within 11% in all; with fewer, thin parts may not be made of so few. On CAD models features and corners that cost more
-faces than are wanted are kept all the same.
+(43 runs) within 2% in 40, within 11% in all; with fewer, thin parts may not be made of so few. On CAD models features and corners
+that cost more faces than are wanted are kept all the same.
 */
 struct Face_count
 {

@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Sample_tree.h>
 #include <CGAL/Inter_angle_remeshing/internal/Vector3.h>
+#include <CGAL/Inter_angle_remeshing/internal/power_of_two_unit.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 #include <CGAL/Inter_angle_remeshing/internal/sector_fit.h>
 #include <CGAL/Inter_angle_remeshing/internal/to_vector3.h>
@@ -120,19 +121,11 @@ private:
       return s;
     }
 
-    // The power of two next above the largest extent: in such units squares neither overflow nor vanish, and the way there and back
-    // is exact.
     static double unit_of(const std::vector<Vector3>& points)
     {
-      constexpr int LARGEST_EXPONENT = 1020;
       double extent = 0;
-      for (const Vector3& p : points) {
-        const Vector3 d = p - points.front();
-        extent = (std::max)({extent, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-      }
-      int exponent = 0;
-      if (extent > 0 && std::isfinite(extent)) std::frexp(extent, &exponent);
-      return std::ldexp(1., (std::max)(-LARGEST_EXPONENT, (std::min)(LARGEST_EXPONENT, exponent)));
+      for (const Vector3& p : points) extent = internal::larger_extent(extent, p - points.front());
+      return internal::power_of_two_unit(extent);
     }
     static std::vector<Vector3> in_units(double unit, std::vector<Vector3> points)
     {
@@ -140,7 +133,7 @@ private:
       return points;
     }
 
-    double unit;
+    double unit;                         // of the points, a power of two
     std::vector<Vector3> points, normals;
     internal::Sample_tree tree;
   };

@@ -41,9 +41,6 @@ class Faults
   static constexpr double CROSSING = 200, CROSSING_LENGTH = 6000, INHERITED_CROSSING = 100;
   // What an operation near a face changes lies within so many rings of it.
   static constexpr int REACH = 4;
-  // So many looks for every face, and for so many more, at what may be near are enough. Where sheets lie on each other by the dozen,
-  // thousands are near each; the meshes of CGAL take at most 16.
-  static constexpr std::size_t LOOKS_PER_FACE = 100, FURTHER_FACES = 1000;
 
 public:
   struct Bad_faces
@@ -100,7 +97,7 @@ public:
   }
   bool is_bad(Index f) { return finds_crossings_ ? are_crossed(mesh_, *grid_, {f}, marks_, looks_) : violation(f) > 0; }
 
-  bool has_looked_enough() const { return looks_ > LOOKS_PER_FACE * (mesh_.number_of_live_faces() + FURTHER_FACES); }
+  bool has_looked_enough() const { return are_enough_looks(mesh_, looks_); }
 
   // Nothing has been tried for face f yet.
   void start(Index f)

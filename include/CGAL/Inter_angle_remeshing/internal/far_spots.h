@@ -55,9 +55,6 @@ class Far_spot_finder
   // Spots that are nearer to each other than this are one; and what is that near to one that is none is none, either, which of 460 runs
   // changes 7.
   static constexpr double SPOT_DISTANCE = 1.5, REJECTED_DISTANCE = 0.25;
-  // What may be near a spot is looked at so many times for every face, and for so many more, as there are thousands near where the
-  // target length differs by as much from place to place; the meshes of CGAL take at most 37. No spot is found after that.
-  static constexpr std::size_t LOOKS_PER_FACE = 100, FURTHER_FACES = 1000;
   // A face of the surface is sampled beyond its corners where one of these is off by this part of the tolerance.
   static constexpr double SUSPICIOUS = 0.5;
 
@@ -80,7 +77,7 @@ public:
     for (const Spot& spot : found) {
       if (accepted.has_near(spot.sample.point, SPOT_DISTANCE * spot.length) ||
           rejected.has_near(spot.sample.point, REJECTED_DISTANCE * spot.length)) continue;
-      if (looks_ > LOOKS_PER_FACE * (mesh_.number_of_live_faces() + FURTHER_FACES)) break;
+      if (are_enough_looks(mesh_, looks_)) break;
       if (is_near_elsewhere(spot)) {
         rejected.insert(spot.sample.point);
         continue;
@@ -181,7 +178,7 @@ private:
   const Reference_surface& surface_;
   Distance_samples& samples_;
   Face_grid& grid_;
-  std::size_t looks_ = 0;
+  std::size_t looks_ = 0;                // at faces that may be near spots
   Visit_marks marks_;
 };
 

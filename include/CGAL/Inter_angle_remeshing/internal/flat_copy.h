@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Descriptor_index.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/power_of_two_unit.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 #include <CGAL/Inter_angle_remeshing/internal/to_vector3.h>
 
@@ -71,7 +72,6 @@ public:
 private:
   // Face indices times four must fit into an index; half of the room is left to the remeshed mesh.
   static constexpr std::size_t MAXIMUM_FACES = std::size_t((std::numeric_limits<Index>::max)()) / 8;
-  static constexpr int MAXIMUM_EXPONENT = 1000;   // 2^-1000 and 2^1000 are both normal numbers
   static constexpr int MAXIMUM_VALENCE = (std::numeric_limits<std::uint16_t>::max)() / 4;
 
   template <class FaceRange>
@@ -221,27 +221,19 @@ private:
     return q;
   }
 
-  // Multiplies by the power of two that brings the largest extent into [1/2, 1): squares and products then neither
-  // overflow nor vanish, and the way back is exact.
+  // Multiplies by the power of two that brings the largest extent into [1/2, 1).
   void scale()
   {
     Remeshing_mesh& mesh = copy_.mesh;
     double extent = 0;
     if (mesh.number_of_vertex_slots() == 0) return;
     const Vector3 origin = mesh.position(0);
-    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
-      const Vector3 d = mesh.position(v) - origin;
-      extent = (std::max)({extent, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-    }
+    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) extent = larger_extent(extent, mesh.position(v) - origin);
     if (!(extent > 0)) refuse(caller_, "all points of the range are equal");
     if (!std::isfinite(extent)) refuse(caller_, "the extent of the range is too large for double precision");
-    int exponent;
-    std::frexp(extent, &exponent);
-    exponent = (std::max)(-MAXIMUM_EXPONENT, (std::min)(MAXIMUM_EXPONENT, exponent));
-    const double factor = std::ldexp(1., -exponent);
-    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v)
-      mesh.position(v) = factor * mesh.position(v);
-    mesh.set_unit(std::ldexp(1., exponent));
+    const double unit = power_of_two_unit(extent);
+    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) mesh.position(v) = (1 / unit) * mesh.position(v);
+    mesh.set_unit(unit);
   }
 
   const TriangleMesh& tmesh_;

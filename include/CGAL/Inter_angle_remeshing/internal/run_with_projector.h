@@ -101,9 +101,8 @@ Remeshing_report run_with_rule(double unit, bool is_concurrent, const std::funct
   return run(projection);
 }
 
-// Calls `run(projection)`, or `run(projection, restore)` where the mesh must be restored after the passes, with the projector that the
-// functor asks for. A wanted number of faces is one of the surface that
-// the result lies on: the target length follows its area.
+// Calls `run(projection)` with the projector that the functor asks for, or `run(projection, restore)` where the user's mesh must be
+// restored after the passes. A wanted number of faces is one of the surface that the result lies on: the target length follows its area.
 template <class Parameters, class Exchange, class Run>
 Remeshing_report run_with_projector(const Parameters& parameters, const Exchange& exchange, Remeshing_mesh& mesh,
                                     const Input_kind& kind, Input_curves& curves, Target& target, const Run& run)

@@ -26,7 +26,8 @@ Vector3 to_vector3(const Triple& t)
 template <class T, class = void>
 struct Is_lazy : std::false_type {};
 template <class T>
-struct Is_lazy<T, std::void_t<decltype(std::declval<const T&>().exact(), std::declval<const T&>().approx().is_point())>> : std::true_type {};
+struct Is_lazy<T, std::void_t<decltype(std::declval<const T&>().exact(), std::declval<const T&>().approx().is_point())>>
+  : std::true_type {};
 
 // What CGAL::to_double() makes of a lazy number depends on whether its exact value has been asked for; this does not.
 template <class Number>
