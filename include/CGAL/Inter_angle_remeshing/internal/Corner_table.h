@@ -31,8 +31,9 @@ public:
     std::uint32_t edge_flags = 0;     // of the three edges, see Remeshing_mesh
   };
 
-  static constexpr Index next(Index h) { return (h & 3) == 2 ? h - 2 : h + 1; }
-  static constexpr Index prev(Index h) { return (h & 3) == 0 ? h + 2 : h - 1; }
+  // The next half-edge of the face, and the one before; without branches, of which a third would be foretold wrongly.
+  static constexpr Index next(Index h) { return h + 1 - 3 * ((h >> 1) & 1); }
+  static constexpr Index prev(Index h) { return h + 2 - 3 * (((h & 3) + 3) >> 2); }
   static constexpr Index face(Index h) { return h >> 2; }
   static constexpr int corner(Index h) { return h & 3; }
   static constexpr bool is_border_side(Index h) { return h < 0; }
@@ -43,6 +44,8 @@ public:
   // The origin of any half-edge, border sides included.
   Index source(Index h) const { return h >= 0 ? origin(h) : target(~h); }
   Index opposite(Index h) const { return h < 0 ? ~h : faces_[h >> 2].opposite[h & 3]; }
+  // Whether h stands for its edge: of two half-edges, the smaller one.
+  bool names_edge(Index h) const { return std::uint32_t(faces_[h >> 2].opposite[h & 3]) > std::uint32_t(h); }
   bool is_border(Index h) const { return faces_[h >> 2].opposite[h & 3] < 0; }
 
   // The next half-edge with the same origin, counterclockwise; a border side where the fan ends.
@@ -70,6 +73,20 @@ public:
 
   void resize_faces(std::size_t n) { faces_.resize(n); }
   void reserve_faces(std::size_t n) { faces_.reserve(n); }
+
+  // Calls `function(h)` for the half-edges of the faces.
+  template <class Function>
+  void for_each_halfedge(const Function& function) const
+  {
+    for (Index f = 0; f < Index(faces_.size()); ++f)
+      if (is_face(f)) { function(4 * f); function(4 * f + 1); function(4 * f + 2); }
+  }
+  // Calls `function(h)` for one half-edge of each edge.
+  template <class Function>
+  void for_each_edge(const Function& function) const
+  {
+    for_each_halfedge([&](Index h) { if (names_edge(h)) function(h); });
+  }
 
   // Calls `function(k)` for the half-edges k that leave the origin of `first` through a face, counterclockwise.
   // Where the origin is on the border, `first` must be the one that begins the fan, see fan_start().

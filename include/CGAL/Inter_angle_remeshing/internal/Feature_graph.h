@@ -477,10 +477,11 @@ inline std::vector<Feature_graph::Chain> Feature_graph::chains_strongest_first()
 inline void Feature_graph::drop_parallel_chains()
 {
   Point_grid accepted(PARALLEL_DISTANCE * length_);
-  for (Index h = 0; h < 4 * Index(mesh_.number_of_face_slots()); ++h)
-    if (mesh_.corner(h) < 3 && mesh_.is_border(h))
+  mesh_.for_each_halfedge([&](Index h) {
+    if (mesh_.is_border(h))
       for_each_sample(mesh_.position(mesh_.origin(h)), mesh_.position(mesh_.target(h)),
                       [&](const Vector3& p) { accepted.insert(p); });
+  });
 
   std::vector<std::vector<Vector3>> directions(vertices_.size());     // of accepted chains
   for (const Chain& chain : chains_strongest_first()) {

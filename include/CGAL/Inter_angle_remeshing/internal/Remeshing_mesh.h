@@ -628,16 +628,17 @@ void Remeshing_mesh::renumber(const std::vector<Index>& order)
   for (std::size_t i = 0; i < n; ++i)
     new_vertex_of[order[i]] = Index(i);
 
-  // Faces in the order of their smallest vertex, so that a sweep meets them one after the other.
-  std::vector<Index> new_face_of(number_of_face_slots(), -1), face_order;
-  face_order.reserve(number_of_live_faces());
+  // Faces in the order of their smallest vertex, so that a sweep meets them one after the other. Each is written down at every
+  // corner, and kept at one.
+  std::vector<Index> new_face_of(number_of_face_slots(), -1), face_order(number_of_live_faces() + 1);
+  std::size_t found = 0;
   for (std::size_t i = 0; i < n; ++i)
     for_each_around(order[i], [&](Index h) {
-      if (new_vertex_of[target(h)] > Index(i) && new_vertex_of[apex(h)] > Index(i)) {
-        new_face_of[h >> 2] = Index(face_order.size());
-        face_order.push_back(h >> 2);
-      }
+      face_order[found] = h >> 2;
+      found += std::size_t((std::min)(new_vertex_of[target(h)], new_vertex_of[apex(h)]) > Index(i));
     });
+  face_order.resize(found);
+  for (std::size_t i = 0; i < found; ++i) new_face_of[face_order[i]] = Index(i);
 
   const auto new_corner_of = [&](Index h) { return 4 * new_face_of[h >> 2] + (h & 3); };
   std::vector<Face> faces;

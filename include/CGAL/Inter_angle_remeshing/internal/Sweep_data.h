@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -174,23 +175,31 @@ void Sweep_data::read_rings(const Remeshing_mesh& mesh)
 inline void Sweep_data::read_some_rings(const Remeshing_mesh& mesh, std::size_t begin, std::size_t end)
 {
   std::array<Index, RINGS_AT_ONCE> h;
-  int longest = 0;
+  std::array<Index*, RINGS_AT_ONCE> next, last;
+  std::size_t n = 0;
+  int shortest = (std::numeric_limits<int>::max)(), longest = 0;
   for (std::size_t i = begin; i < end; ++i) {
-    h[i - begin] = mesh.first(order[i]);
+    if (mobility[i] == Mobility::fixed) continue;
+    Index* r = rings_.data() + ring_start_[i];
+    if (mobility[i] == Mobility::sliding_on_border) {
+      mesh.for_each_neighbor(order[i], [&](Index u) { *r++ = rank_[u]; });
+      continue;
+    }
+    h[n] = mesh.first(order[i]);
+    next[n] = r;
+    last[n++] = r + valence(i);
+    shortest = (std::min)(shortest, valence(i));
     longest = (std::max)(longest, valence(i));
   }
-  for (int k = 0; k < longest; ++k)
-    for (std::size_t i = begin; i < end; ++i) {
-      if (k >= valence(i) || mobility[i] == Mobility::sliding_on_border) continue;
-      Index& current = h[i - begin];
-      rings_[ring_start_[i] + k] = rank_[mesh.target(current)];
-      current = mesh.rotate_ccw(current);
-    }
-  for (std::size_t i = begin; i < end; ++i) {
-    if (mobility[i] != Mobility::sliding_on_border) continue;
-    Index* r = rings_.data() + ring_start_[i];
-    mesh.for_each_neighbor(order[i], [&](Index u) { *r++ = rank_[u]; });
-  }
+  const auto read_neighbor = [&](std::size_t i) {
+    *next[i]++ = rank_[mesh.target(h[i])];
+    h[i] = mesh.rotate_ccw(h[i]);
+  };
+  for (int k = 0; k < shortest; ++k)
+    for (std::size_t i = 0; i < n; ++i) read_neighbor(i);
+  for (int k = shortest; k < longest; ++k)
+    for (std::size_t i = 0; i < n; ++i)
+      if (next[i] != last[i]) read_neighbor(i);
 }
 
 inline void Sweep_data::read_slides(const Remeshing_mesh& mesh)
@@ -215,10 +224,14 @@ inline void Sweep_data::find_neighbor_blocks(std::size_t begin, std::size_t end,
 {
   std::vector<Index>& neighbors = neighbor_blocks_[block];
   neighbors.clear();
+  std::array<Index, 16> met;             // lately, by their last digits
+  met.fill(-1);
   for (std::uint32_t k = ring_start_[begin]; k < ring_start_[end]; ++k) {
     const Index other = rings_[k] >> block_shift_;
-    if (other != block && std::find(neighbors.begin(), neighbors.end(), other) == neighbors.end())
-      neighbors.push_back(other);
+    Index& last = met[std::size_t(other) % met.size()];
+    if (last == other) continue;
+    last = other;
+    if (other != block && std::find(neighbors.begin(), neighbors.end(), other) == neighbors.end()) neighbors.push_back(other);
   }
 }
 

@@ -50,10 +50,9 @@ public:
   // equal has no angles.
   bool holds(const Vector3& a, const Vector3& b, const Vector3& c) const
   {
-    std::array<double, 3> l = {squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)};
-    if (l[0] > l[1]) std::swap(l[0], l[1]);
-    if (l[1] > l[2]) std::swap(l[1], l[2]);
-    if (l[0] > l[1]) std::swap(l[0], l[1]);
+    const double ab = squared_distance(a, b), bc = squared_distance(b, c), ca = squared_distance(c, a);
+    const double l[3] = {(std::min)((std::min)(ab, bc), ca), (std::max)((std::min)(ab, bc), (std::min)((std::max)(ab, bc), ca)),
+                         (std::max)((std::max)(ab, bc), ca)};
     const double smallest = l[1] + l[2] - l[0], largest = l[0] + l[1] - l[2];   // cosines times the edges beside, twice
     const double bound = 4 * upper_cosine_ * upper_cosine_ * l[0] * l[1];
     return l[2] > 0 && smallest * smallest <= 4 * lower_cosine_ * lower_cosine_ * l[1] * l[2] &&

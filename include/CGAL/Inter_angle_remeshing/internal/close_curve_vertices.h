@@ -57,9 +57,7 @@ private:
   std::vector<std::pair<double, Index>> tiny_edges() const
   {
     std::vector<std::pair<double, Index>> result;
-    for (Index h = 0; h < 4 * Index(mesh_.number_of_face_slots()); ++h)
-      if (mesh_.corner(h) < 3 && mesh_.is_face(mesh_.face(h)) && (mesh_.is_border(h) || mesh_.opposite(h) > h) && is_tiny(h))
-        result.emplace_back(mesh_.squared_edge_length(h), h);
+    mesh_.for_each_edge([&](Index h) { if (is_tiny(h)) result.emplace_back(mesh_.squared_edge_length(h), h); });
     std::sort(result.begin(), result.end());
     return result;
   }

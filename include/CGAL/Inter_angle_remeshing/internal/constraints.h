@@ -115,9 +115,7 @@ void write_constraints(const Exchange& exchange, const Remeshing_mesh& mesh, con
   (void)tmesh; (void)ecm; (void)fpm; (void)patches;
   if constexpr (!std::is_same<EdgeIsConstrainedMap, No_map>::value)
     if constexpr (is_writable<EdgeIsConstrainedMap>())
-      for (Index h = 0; h < 4 * Index(mesh.number_of_live_faces()); ++h)
-        if (mesh.corner(h) < 3 && (mesh.is_border(h) || mesh.opposite(h) > h))
-          put(ecm, edge(exchange.written_halfedge(h), tmesh), mesh.is_constrained(h));
+      mesh.for_each_edge([&](Index h) { put(ecm, edge(exchange.written_halfedge(h), tmesh), mesh.is_constrained(h)); });
   if constexpr (!std::is_same<PatchMap, No_map>::value)
     if constexpr (is_writable<PatchMap>())
       for (Index f = 0; f < Index(mesh.number_of_live_faces()); ++f)

@@ -101,7 +101,8 @@ private:
         normals_[i] = triangle_cross(a, b, c);
         const double extent[3][3] = {{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}};
         for (int k = 0; k < 3; ++k) {
-          const auto [least, most] = std::minmax({extent[k][0], extent[k][1], extent[k][2]});
+          const double least = (std::min)((std::min)(extent[k][0], extent[k][1]), extent[k][2]),
+                       most = (std::max)((std::max)(extent[k][0], extent[k][1]), extent[k][2]);
           boxes_[i].low[k] = float((std::max)(0., least - ROUNDING));
           boxes_[i].high[k] = float(most + ROUNDING);
         }
@@ -185,9 +186,9 @@ private:
 
   static bool overlap(const Box& a, const Box& b)
   {
-    for (int k = 0; k < 3; ++k)
-      if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
-    return true;
+    float gap = 0;
+    for (int k = 0; k < 3; ++k) gap = (std::max)(gap, (std::max)(a.low[k] - b.high[k], b.low[k] - a.high[k]));
+    return !(gap > 0);
   }
 
   // Whether these faces look the same way and hang together by their vertices. Two flaps of a border may overlap.

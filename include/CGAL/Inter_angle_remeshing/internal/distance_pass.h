@@ -97,21 +97,35 @@ public:
   }
 
 private:
+  struct Place
+  {
+    Index face;
+    int number;                          // of PLACES_ON_FACE
+    Index surface_face;                  // where it is nearest to; -1: to be looked for
+  };
+
   // The vertices that move, and what pulls them.
   struct Patch
   {
     std::vector<Index> vertices;
     std::vector<Index> faces;            // around them
-    std::vector<std::array<Index, 7>> surface_faces;   // by face: where its places are nearest to; -1: to be looked for
+    std::vector<Place> places;           // of these faces, which are measured
     std::vector<Sample> samples;         // of the surface
     std::vector<Vector3> pull;           // by vertex
     std::vector<double> weight;
   };
 
-  void set_faces(Patch& patch) const
+  void set_faces(Patch& patch)
   {
     patch.faces = faces_around(mesh_, patch.vertices);
-    patch.surface_faces.assign(patch.faces.size(), {-1, -1, -1, -1, -1, -1, -1});
+    patch.places.clear();
+    vertices_.start(mesh_.number_of_vertex_slots());
+    for (const Index f : patch.faces)
+      for (int i = 0; i < 7; ++i) {
+        if (i > 0 && i < 4 && is_with_other_face(patch, 4 * f + i - 1)) continue;
+        if (i >= 4 && !vertices_.visit(std::size_t(mesh_.face_record(f).vertex[i - 4]))) continue;
+        patch.places.push_back({f, i, -1});
+      }
   }
 
   // Whether the middle of the edge of h is taken with the face across.
@@ -157,17 +171,12 @@ private:
       const auto& v = mesh_.face_record(s.face).vertex;
       pull(s, barycentric(c, mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])), s.point - c.point, d);
     }
-    vertices_.start(mesh_.number_of_vertex_slots());
-    for (std::size_t k = 0; k < patch.faces.size(); ++k)
-      for (int i = 0; i < 7; ++i) {
-        const Index f = patch.faces[k];
-        if (i > 0 && i < 4 && is_with_other_face(patch, 4 * f + i - 1)) continue;
-        if (i >= 4 && !vertices_.visit(std::size_t(mesh_.face_record(f).vertex[i - 4]))) continue;
-        const Vector3 y = point_on_face(mesh_, f, PLACES_ON_FACE[i]);
-        Index& g = patch.surface_faces[k][i];
-        const Vector3 way = (g < 0 ? samples_.nearest_on_surface(f, y, g) : context_.projector(y, g)) - y;
-        pull(Sample{y + way, g, f}, PLACES_ON_FACE[i], way, length(way));
-      }
+    for (Place& place : patch.places) {
+      const Vector3 y = point_on_face(mesh_, place.face, PLACES_ON_FACE[place.number]);
+      Index& g = place.surface_face;
+      const Vector3 way = (g < 0 ? samples_.nearest_on_surface(place.face, y, g) : context_.projector(y, g)) - y;
+      pull(Sample{y + way, g, place.face}, PLACES_ON_FACE[place.number], way, length(way));
+    }
     for (const Index v : patch.vertices) slot_[v] = -1;
     return result;
   }

@@ -25,7 +25,7 @@ std::vector<Remeshing_mesh::Index> edges_where(const Remeshing_mesh& mesh, const
   scan_into<ConcurrencyTag>(found, mesh.number_of_face_slots(), [&](std::size_t f, std::vector<Index>& out) {
     if (!mesh.is_face(Index(f))) return;
     for (Index h = Index(4 * f); h < Index(4 * f) + 3; ++h)
-      if ((mesh.is_border(h) || mesh.opposite(h) > h) && is_wanted(h)) out.push_back(h);
+      if (mesh.names_edge(h) && is_wanted(h)) out.push_back(h);
   });
   return found;
 }
@@ -45,9 +45,13 @@ std::vector<Remeshing_mesh::Index> edges_out_of(const Remeshing_mesh& mesh, doub
     const double length[3] = {squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)};
     if ((std::min)((std::min)(length[0], length[1]), length[2]) >= low &&
         (std::max)((std::max)(length[0], length[1]), length[2]) <= high) return;
-    for (int k = 0; k < 3; ++k)
-      if ((length[k] < low || length[k] > high) && (mesh.is_border(h + k) || mesh.opposite(h + k) > h + k))
-        out.push_back(h + k);
+    Index edges[3];                      // of which some are written over: no branch is foretold well here
+    int n = 0;
+    for (int k = 0; k < 3; ++k) {
+      edges[n] = h + k;
+      n += int(length[k] < low || length[k] > high) & int(mesh.names_edge(h + k));
+    }
+    for (int k = 0; k < n; ++k) out.push_back(edges[k]);
   });
   return found;
 }

@@ -46,9 +46,10 @@ inline std::vector<std::pair<double, Remeshing_mesh::Index>> edges_by_length(con
   using Index = Remeshing_mesh::Index;
   const Remeshing_mesh& mesh = context.mesh;
   std::vector<std::pair<double, Index>> result;
-  for (Index h = 0; h < 4 * Index(mesh.number_of_face_slots()); ++h)
-    if (mesh.corner(h) < 3 && mesh.is_face(mesh.face(h)) && !mesh.is_on_curve_edge(h) && mesh.opposite(h) > h)
+  mesh.for_each_edge([&](Index h) {
+    if (!mesh.is_on_curve_edge(h))
       result.emplace_back(mesh.squared_edge_length(h) / context.squared_length_limit(mesh.origin(h), mesh.target(h)), h);
+  });
   std::sort(result.begin(), result.end());
   return result;
 }

@@ -95,18 +95,15 @@ private:
     std::vector<Vector3> normals(mesh_.number_of_face_slots());
     for (Index f = 0; f < Index(normals.size()); ++f)
       if (mesh_.is_face(f)) normals[f] = cross_product(mesh_, f);
+    std::vector<char> is_sharp(mesh_.number_of_vertex_slots(), 0);
+    mesh_.for_each_edge([&](Index h) {
+      if (mesh_.is_on_curve_edge(h) ||
+          is_cosine_at_least(normals[mesh_.face(h)], normals[mesh_.face(mesh_.opposite(h))], SHARP_COSINE)) return;
+      is_sharp[mesh_.origin(h)] = is_sharp[mesh_.target(h)] = 1;
+    });
     std::vector<Index> result;
-    for (Index f = 0; f < Index(normals.size()); ++f) {
-      if (!mesh_.is_face(f)) continue;
-      for (Index h = 4 * f; h < 4 * f + 3; ++h) {
-        const Index o = mesh_.opposite(h);
-        if (o < h || mesh_.is_on_curve_edge(h) || is_cosine_at_least(normals[f], normals[mesh_.face(o)], SHARP_COSINE)) continue;
-        result.push_back(mesh_.origin(h));
-        result.push_back(mesh_.target(h));
-      }
-    }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+    for (Index v = 0; v < Index(is_sharp.size()); ++v)
+      if (is_sharp[v]) result.push_back(v);
     return result;
   }
 

@@ -38,8 +38,7 @@ struct Input_kind
 inline std::size_t count_features(const Remeshing_mesh& mesh)
 {
   std::size_t n = 0;
-  for (Remeshing_mesh::Index h = 0; h < 4 * Remeshing_mesh::Index(mesh.number_of_face_slots()); ++h)
-    n += mesh.corner(h) < 3 && mesh.is_constrained(h) && (mesh.is_border(h) || mesh.opposite(h) > h);
+  mesh.for_each_halfedge([&](Remeshing_mesh::Index h) { n += mesh.is_constrained(h) && mesh.names_edge(h); });
   return n;
 }
 

@@ -82,9 +82,7 @@ public:
   template <class Function>
   void for_each_edge(const Function& function) const
   {
-    for (Index h = 0; h < 4 * Index(copy_.faces.size()); ++h)
-      if (copy_.mesh.corner(h) < 3 && (copy_.mesh.is_border(h) || copy_.mesh.opposite(h) > h))
-        function(h, copy_.halfedge(h));
+    copy_.mesh.for_each_edge([&](Index h) { function(h, copy_.halfedge(h)); });
   }
   Remeshing_mesh& mesh() { return copy_.mesh; }
 
@@ -198,8 +196,7 @@ private:
       is_kept_[i] = 1;
     }
     edges_needed_ = 0;
-    for (Index h = 0; h < 4 * Index(mesh.number_of_live_faces()); ++h)
-      if (mesh.corner(h) < 3 && names_edge(mesh, h) && !mesh.is_protected(h)) ++edges_needed_;
+    mesh.for_each_edge([&](Index h) { edges_needed_ += !mesh.is_protected(h); });
     vertices_made_ = 0;
     old_points_.clear();
     old_points_.reserve(copy_.vertices.size());
@@ -208,8 +205,6 @@ private:
     copy_.faces.reserve(mesh.number_of_live_faces());
     spare_edges_.reserve(edges_needed_);
   }
-
-  static bool names_edge(const Remeshing_mesh& mesh, Index h) { return mesh.is_border(h) || mesh.opposite(h) > h; }
 
   void make_room(const Remeshing_mesh& mesh)
   {
@@ -260,23 +255,19 @@ private:
 
   void connect(const Remeshing_mesh& mesh)
   {
-    const Index corners = 4 * Index(mesh.number_of_live_faces());
     edges_used_ = 0;
-    for (Index h = 0; h < corners; ++h) {
-      if (mesh.corner(h) == 3 || !names_edge(mesh, h)) continue;
+    mesh.for_each_edge([&](Index h) {
       halfedge_of(h) = mesh.is_protected(h) ? kept_halfedge(mesh, h) : spare_edges_[edges_used_++];
       if (!mesh.is_border(h)) halfedge_of(mesh.opposite(h)) = opposite(halfedge_of(h), tmesh_);
-    }
-    for (Index h = 0; h < corners; ++h) {
-      if (mesh.corner(h) == 3) continue;
+    });
+    mesh.for_each_halfedge([&](Index h) {
       const halfedge_descriptor user = halfedge_of(h);
       set_target(user, vertex_of_[mesh.target(h)], tmesh_);
       set_next(user, halfedge_of(mesh.next(h)), tmesh_);
       set_face(user, copy_.faces[h >> 2], tmesh_);
       if (mesh.corner(h) == 0) set_halfedge(copy_.faces[h >> 2], user, tmesh_);
-    }
-    for (Index h = 0; h < corners; ++h)
-      if (mesh.corner(h) < 3 && mesh.is_border(h)) connect_border(mesh, h);
+    });
+    mesh.for_each_halfedge([&](Index h) { if (mesh.is_border(h)) connect_border(mesh, h); });
     for (Index v = 0; v < Index(vertex_of_.size()); ++v) connect_vertex(mesh, v);
   }
 

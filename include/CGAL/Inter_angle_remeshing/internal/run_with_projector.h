@@ -44,7 +44,7 @@ public:
     face_of_source_ = faces_by_source(surface);
     if (!is_copy_of(mesh)) { face_of_source_.clear(); return; }
     std::vector<Index> barriers;
-    for_each_halfedge(mesh, [&](Index h) { if (mesh.is_constrained(h)) barriers.push_back(halfedge_of(mesh, h)); });
+    mesh.for_each_halfedge([&](Index h) { if (mesh.is_constrained(h)) barriers.push_back(halfedge_of(mesh, h)); });
     if (!barriers.empty()) patched_.emplace(surface, barriers);
   }
 
@@ -63,12 +63,6 @@ public:
   }
 
 private:
-  template <class Function>
-  static void for_each_halfedge(const Remeshing_mesh& mesh, const Function& function)
-  {
-    for (Index h = 0; h < 4 * Index(mesh.number_of_face_slots()); ++h)
-      if (mesh.corner(h) < 3) function(h);
-  }
   // The half-edge of the surface that is the mesh's.
   Index halfedge_of(const Remeshing_mesh& mesh, Index h) const
   {
@@ -77,7 +71,7 @@ private:
   bool is_copy_of(const Remeshing_mesh& mesh) const
   {
     bool result = true;
-    for_each_halfedge(mesh, [&](Index h) {
+    mesh.for_each_halfedge([&](Index h) {
       const Index v = surface_.origin(halfedge_of(mesh, h));
       result = result && factor_ * mesh.position(mesh.origin(h)) == surface_.position(v);
     });
