@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -107,8 +108,9 @@ public:
     crossings_before_.clear();
     if (!finds_crossings_) return;
     const auto& corner = mesh_.face_record(f).vertex;
-    const std::vector<Index> within_reach = faces_around(mesh_, ball(mesh_, {corner[0], corner[1], corner[2]}, REACH, marks_));
+    const std::vector<Index> within_reach = faces_around(mesh_, ball(mesh_, {corner[0], corner[1], corner[2]}, REACH, marks_), marks_);
     near_ = faces_near(mesh_, *grid_, within_reach, marks_, looks_);
+    std::sort(near_.begin(), near_.end());
     for_each_crossing_near(within_reach, [&](Index g, Index other) {
       crossings_before_.push_back({g, other, score_of_crossing(g, other)}); });
   }
@@ -177,10 +179,8 @@ private:
   {
     const auto is_dead = [&](Index f) { return !mesh_.is_face(f); };
     faces.erase(std::remove_if(faces.begin(), faces.end(), is_dead), faces.end());
-    std::vector<Index> others = near_;
-    others.insert(others.end(), faces.begin(), faces.end());
-    std::sort(others.begin(), others.end());
-    others.erase(std::unique(others.begin(), others.end()), others.end());
+    std::vector<Index> others;
+    std::set_union(near_.begin(), near_.end(), faces.begin(), faces.end(), std::back_inserter(others));
     others.erase(std::remove_if(others.begin(), others.end(), is_dead), others.end());
     for_each_crossing(mesh_, faces, others, [&](Index f, Index g) {
       function(f, g);

@@ -35,7 +35,7 @@ public:
     curve_edges_.clear();
     for (const Index v : vertices)
       vertices_.push_back({v, mesh.position_[v], mesh.first_[v], mesh.state_[v], mesh.hint_[v], mesh.input_[v], mesh.block_[v]});
-    around_ = faces_around(mesh, vertices);
+    around_ = faces_around(mesh, vertices, marks_);
     for (const Index f : around_) {
       faces_.push_back({f, mesh.faces_[f], {}});
       if (!mesh.has_curves()) continue;
@@ -120,6 +120,7 @@ private:
   std::vector<Index> around_;
   std::vector<std::pair<Index, Remeshing_mesh::Curve_edge>> curve_edges_;
   Slots vertex_slots_, face_slots_;
+  Visit_marks marks_;
   std::size_t number_of_curve_edges_ = 0;
 };
 

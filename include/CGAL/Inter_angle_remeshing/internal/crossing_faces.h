@@ -5,11 +5,13 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_CROSSING_FACES_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_CROSSING_FACES_H
 
+#include <CGAL/Inter_angle_remeshing/internal/Bounding_box.h>
 #include <CGAL/Inter_angle_remeshing/internal/Corner_table.h>
 #include <CGAL/Inter_angle_remeshing/internal/Point_grid.h>
 #include <CGAL/Inter_angle_remeshing/internal/crossings.h>
 #include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Box_intersection_d/Box_with_handle_d.h>
 #include <CGAL/box_intersection_d.h>
 
@@ -49,7 +51,7 @@ class Crossing_finder
   // for a face among the boxes takes as long as to compare so many.
   static constexpr double MOST_PAIRS = 200;
 
-  struct Box
+  struct Rounded_box
   {
     std::array<float, 3> low, high;
   };
@@ -88,7 +90,7 @@ private:
       if (!mesh_.is_face(f)) continue;
       for (const Index v : mesh_.face_record(f).vertex) {
         const Vector3& p = mesh_.position(v);
-        low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
+        low = lower_corner(low, p);
       }
       faces_.push_back(f);
     }
@@ -114,7 +116,7 @@ private:
   void fill_cells()
   {
     double extents = 0;
-    for (const Box& b : boxes_)
+    for (const Rounded_box& b : boxes_)
       for (int k = 0; k < 3; ++k) extents += double(b.high[k] - b.low[k]);
     double cell = (std::max)(SMALLEST_CELL, CELL * extents / (3 * double(boxes_.size())));
     while (number_of_entries(cell) > MOST_ENTRIES * double(boxes_.size())) cell *= 1.5;
@@ -122,7 +124,7 @@ private:
     std::size_t size = 1;
     while (size < 2 * boxes_.size()) size *= 2;
     start_.assign(size + 1, 0);
-    for (const Box& b : boxes_) for_each_cell(b, [&](std::size_t c) { ++start_[c]; });
+    for (const Rounded_box& b : boxes_) for_each_cell(b, [&](std::size_t c) { ++start_[c]; });
     for (std::size_t c = 0; c < size; ++c) start_[c + 1] += start_[c];     // where each ends, until it is filled
     entries_.resize(start_[size]);
     for (std::size_t i = boxes_.size(); i-- > 0;) for_each_cell(boxes_[i], [&](std::size_t c) { entries_[--start_[c]] = Index(i); });
@@ -132,7 +134,7 @@ private:
   {
     const double inverse = 1 / cell;
     double result = 0;
-    for (const Box& b : boxes_) {
+    for (const Rounded_box& b : boxes_) {
       double cells = 1;
       for (int k = 0; k < 3; ++k) cells *= 1 + inverse * double(b.high[k] - b.low[k]);
       result += cells;
@@ -141,7 +143,7 @@ private:
   }
 
   template <class Function>
-  void for_each_cell(const Box& b, const Function& function) const
+  void for_each_cell(const Rounded_box& b, const Function& function) const
   {
     Grid_cell low, high;
     for (int k = 0; k < 3; ++k) {
@@ -166,7 +168,10 @@ private:
   {
     using Named_box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Index*, CGAL::Box_intersection_d::ID_FROM_HANDLE>;
     std::vector<Named_box> boxes;
-    for (const Index& f : faces_) boxes.emplace_back(bounding_box(mesh_, f), &f);
+    for (const Index& f : faces_) {
+      const Bounding_box b = bounding_box(mesh_, f);
+      boxes.emplace_back(CGAL::Bbox_3(b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z), &f);
+    }
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Named_box& a, const Named_box& b) {
       const Index f = *a.handle(), g = *b.handle();
       if (cross_each_other(mesh_, f, g)) found.emplace_back((std::min)(f, g), (std::max)(f, g));
@@ -184,7 +189,7 @@ private:
       }
   }
 
-  static bool overlap(const Box& a, const Box& b)
+  static bool overlap(const Rounded_box& a, const Rounded_box& b)
   {
     float gap = 0;
     for (int k = 0; k < 3; ++k) gap = (std::max)(gap, (std::max)(a.low[k] - b.high[k], b.low[k] - a.high[k]));
@@ -254,7 +259,7 @@ private:
   const Surface& mesh_;
   double inverse_cell_ = 1;
   std::vector<Index> faces_;
-  std::vector<Box> boxes_;               // by number in faces_, as the normals and the entries
+  std::vector<Rounded_box> boxes_;               // by number in faces_, as the normals and the entries
   std::vector<Vector3> normals_;
   std::vector<std::uint32_t> start_;
   std::vector<Index> entries_;

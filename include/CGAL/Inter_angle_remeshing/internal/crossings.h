@@ -5,11 +5,11 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_CROSSINGS_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_CROSSINGS_H
 
+#include <CGAL/Inter_angle_remeshing/internal/Bounding_box.h>
 #include <CGAL/Inter_angle_remeshing/internal/Face_grid.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh_regions.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
@@ -28,18 +28,21 @@ constexpr double SURE_HEIGHT = 1e-12;
 
 // `Surface` has face_record() and position().
 template <class Surface>
-CGAL::Bbox_3 bounding_box(const Surface& mesh, Corner_table::Index f)
+Bounding_box bounding_box(const Surface& mesh, Corner_table::Index f)
 {
   const auto& v = mesh.face_record(f).vertex;
-  const Vector3 &a = mesh.position(v[0]), &b = mesh.position(v[1]), &c = mesh.position(v[2]);
-  return {(std::min)({a.x, b.x, c.x}), (std::min)({a.y, b.y, c.y}), (std::min)({a.z, b.z, c.z}),
-          (std::max)({a.x, b.x, c.x}), (std::max)({a.y, b.y, c.y}), (std::max)({a.z, b.z, c.z})};
+  return {mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])};
+}
+
+inline bool is_corner(const Corner_table::Face& face, Corner_table::Index v)
+{
+  return (v == face.vertex[0]) | (v == face.vertex[1]) | (v == face.vertex[2]);
 }
 
 inline int number_of_shared_vertices(const Corner_table& mesh, Corner_table::Index f, Corner_table::Index g)
 {
-  const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
-  return int(std::count_if(a, a + 3, [&](Corner_table::Index v) { return std::find(b, b + 3, v) != b + 3; }));
+  const Corner_table::Face &a = mesh.face_record(f), &b = mesh.face_record(g);
+  return is_corner(b, a.vertex[0]) + is_corner(b, a.vertex[1]) + is_corner(b, a.vertex[2]);
 }
 
 // Whether the corners of f that are none of g lie on one side of its plane for sure.
@@ -51,7 +54,7 @@ bool lies_beside(const Surface& mesh, Corner_table::Index f, Corner_table::Index
   const double squared_normal = squared_length(normal);
   int above = 0, under = 0;
   for (const Corner_table::Index v : a) {
-    if (std::find(b, b + 3, v) != b + 3) continue;
+    if (is_corner(mesh.face_record(g), v)) continue;
     const Vector3 way = mesh.position(v) - mesh.position(b[0]);
     const double height = dot(way, normal);
     if (!(height * height > SURE_HEIGHT * SURE_HEIGHT * squared_normal * squared_length(way))) return false;
@@ -76,8 +79,8 @@ bool lie_apart(const Surface& mesh, Corner_table::Index f, Corner_table::Index g
     const double height = side * dot(way, across);
     return height > 0 && height * height > SURE_HEIGHT * SURE_HEIGHT * squared_length(across) * squared_length(way);
   };
-  return std::all_of(a, a + 3, [&](Corner_table::Index v) { return std::find(b, b + 3, v) != b + 3 || is_beyond(v, 1); }) &&
-         std::all_of(b, b + 3, [&](Corner_table::Index v) { return std::find(a, a + 3, v) != a + 3 || is_beyond(v, -1); });
+  return std::all_of(a, a + 3, [&](Corner_table::Index v) { return is_corner(mesh.face_record(g), v) || is_beyond(v, 1); }) &&
+         std::all_of(b, b + 3, [&](Corner_table::Index v) { return is_corner(mesh.face_record(f), v) || is_beyond(v, -1); });
 }
 
 // A triangle without an area crosses nothing. Two that share a vertex cross where the edge of one that is opposite to it meets
@@ -134,12 +137,12 @@ inline std::vector<Remeshing_mesh::Index> faces_near(const Remeshing_mesh& mesh,
                                                      const std::vector<Remeshing_mesh::Index>& faces, Visit_marks& marks,
                                                      std::size_t& looks)
 {
-  CGAL::Bbox_3 all;
+  Bounding_box all;
   for (const Remeshing_mesh::Index f : faces) all += bounding_box(mesh, f);
   std::vector<Remeshing_mesh::Index> result;
-  grid.for_each_near({all.xmin(), all.ymin(), all.zmin()}, {all.xmax(), all.ymax(), all.zmax()}, marks, [&](Remeshing_mesh::Index f) {
+  grid.for_each_near(all.low, all.high, marks, [&](Remeshing_mesh::Index f) {
     ++looks;
-    if (CGAL::do_overlap(bounding_box(mesh, f), all)) result.push_back(f);
+    if (do_overlap(bounding_box(mesh, f), all)) result.push_back(f);
     return true;
   });
   return result;
@@ -152,19 +155,19 @@ void for_each_crossing(const Remeshing_mesh& mesh, const std::vector<Remeshing_m
                        const std::vector<Remeshing_mesh::Index>& others, const Function& function)
 {
   using Index = Remeshing_mesh::Index;
-  std::vector<CGAL::Bbox_3> boxes;
-  CGAL::Bbox_3 all;
+  std::vector<Bounding_box> boxes;
+  Bounding_box all;
   for (const Index f : faces) {
     boxes.push_back(bounding_box(mesh, f));
     all += boxes.back();
   }
   for (const Index g : others) {
-    const CGAL::Bbox_3 b = bounding_box(mesh, g);
-    if (!CGAL::do_overlap(b, all)) continue;
+    const Bounding_box b = bounding_box(mesh, g);
+    if (!do_overlap(b, all)) continue;
     const auto found = std::lower_bound(faces.begin(), faces.end(), g);
     const std::size_t first = found != faces.end() && *found == g ? std::size_t(found - faces.begin()) + 1 : 0;
     for (std::size_t i = first; i < faces.size(); ++i)
-      if (CGAL::do_overlap(b, boxes[i]) && cross_each_other(mesh, g, faces[i]) && !function(faces[i], g)) return;
+      if (do_overlap(b, boxes[i]) && cross_each_other(mesh, g, faces[i]) && !function(faces[i], g)) return;
   }
 }
 

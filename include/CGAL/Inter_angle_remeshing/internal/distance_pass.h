@@ -117,7 +117,7 @@ private:
 
   void set_faces(Patch& patch)
   {
-    patch.faces = faces_around(mesh_, patch.vertices);
+    patch.faces = faces_around(mesh_, patch.vertices, marks_);
     patch.places.clear();
     vertices_.start(mesh_.number_of_vertex_slots());
     for (const Index f : patch.faces)

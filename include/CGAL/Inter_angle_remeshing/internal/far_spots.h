@@ -118,7 +118,7 @@ private:
       samples_.set_scale_at(v);
       std::vector<Index> faces;
       const auto around = [&]() -> const std::vector<Index>& {
-        if (faces.empty()) faces = faces_around(mesh_, ball(mesh_, {v}, 2, marks_));
+        if (faces.empty()) faces = faces_around(mesh_, ball(mesh_, {v}, 2, marks_), marks_);
         return faces;
       };
       samples_.for_each_face_near(mesh_.position(v), REACH * samples_.length(), mesh_.hint(v), [&](Index f) {
@@ -140,7 +140,7 @@ private:
   // Points of the mesh that are too far from the surface.
   void find_far_samples_of_mesh(const std::vector<Index>& sharp, std::vector<Spot>& found)
   {
-    for (const Index f : faces_around(mesh_, sharp)) {
+    for (const Index f : faces_around(mesh_, sharp, marks_)) {
       samples_.set_scale_at(mesh_.face_record(f).vertex[0]);
       for (int k = 0; k < 4; ++k) {
         const Vector3 y = point_on_face(mesh_, f, PLACES_ON_FACE[k]);

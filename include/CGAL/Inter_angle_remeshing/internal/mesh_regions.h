@@ -49,14 +49,16 @@ inline std::vector<Remeshing_mesh::Index> ball(const Remeshing_mesh& mesh, const
   return result;
 }
 
+// The faces around these vertices, sorted.
 inline std::vector<Remeshing_mesh::Index> faces_around(const Remeshing_mesh& mesh,
-                                                       const std::vector<Remeshing_mesh::Index>& vertices)
+                                                       const std::vector<Remeshing_mesh::Index>& vertices, Visit_marks& marks)
 {
   using Index = Remeshing_mesh::Index;
+  marks.start(mesh.number_of_face_slots());
   std::vector<Index> result;
-  for (const Index v : vertices) mesh.for_each_around(v, [&](Index h) { result.push_back(mesh.face(h)); });
+  for (const Index v : vertices)
+    mesh.for_each_around(v, [&](Index h) { if (marks.visit(std::size_t(mesh.face(h)))) result.push_back(mesh.face(h)); });
   std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 

@@ -178,7 +178,7 @@ private:
     const double before = faults_.score_before(snapshot_.faces());
     const std::vector<Index> moving = ball(mesh_, operations_.attempt(operation), 1, marks_);
     descent_.sweep(moving, sweeps);
-    const std::vector<Index> faces = faces_around(mesh_, moving);
+    const std::vector<Index> faces = faces_around(mesh_, moving, marks_);
     const double after = faults_.score(faces);
     const bool pays = before - after > NOTICEABLE * before && !(keeps_places && leaves_places(around, faces));
     snapshot_.restore(mesh_);
@@ -204,7 +204,7 @@ private:
     descent_.sweep(ball(mesh_, touched, 1, marks_), SWEEPS);
     const std::vector<Index> around = ball(mesh_, touched, 2, marks_);
     descent_.sweep(around, SWEEPS);
-    for (const Index g : faces_around(mesh_, around)) forget(g);
+    for (const Index g : faces_around(mesh_, around, marks_)) forget(g);
   }
 
   Remeshing_context& context_;

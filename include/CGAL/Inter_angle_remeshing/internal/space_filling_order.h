@@ -5,6 +5,7 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_SPACE_FILLING_ORDER_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SPACE_FILLING_ORDER_H
 
+#include <CGAL/Inter_angle_remeshing/internal/Bounding_box.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
 
 #include <boost/sort/spreadsort/integer_sort.hpp>
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -37,22 +37,18 @@ inline std::vector<Remeshing_mesh::Index> morton_order(const Remeshing_mesh& mes
 {
   using Index = Remeshing_mesh::Index;
   const Index number_of_slots = Index(mesh.number_of_vertex_slots());
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  Vector3 low{inf, inf, inf}, high{-inf, -inf, -inf};
-  for (Index v = 0; v < number_of_slots; ++v) {
-    if (!mesh.is_vertex(v)) continue;
-    const Vector3& p = mesh.position(v);
-    low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
-    high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z)};
-  }
-  const double extent = (std::max)({high.x - low.x, high.y - low.y, high.z - low.z});
+  Bounding_box box;
+  for (Index v = 0; v < number_of_slots; ++v)
+    if (mesh.is_vertex(v)) box += mesh.position(v);
+  const Vector3 sides = box.high - box.low;
+  const double extent = (std::max)({sides.x, sides.y, sides.z});
   const double cells = extent > 0 ? ((1 << MORTON_BITS) - 1) / extent : 0;
 
   std::vector<std::uint64_t> keys;
   keys.reserve(mesh.number_of_live_vertices());
   for (Index v = 0; v < number_of_slots; ++v) {
     if (!mesh.is_vertex(v)) continue;
-    const Vector3 cell = cells * (mesh.position(v) - low);
+    const Vector3 cell = cells * (mesh.position(v) - box.low);
     const std::uint64_t key = spread_bits(std::uint64_t(cell.x)) | spread_bits(std::uint64_t(cell.y)) << 1 |
                               spread_bits(std::uint64_t(cell.z)) << 2;
     keys.push_back(key << 32 | std::uint64_t(v));
