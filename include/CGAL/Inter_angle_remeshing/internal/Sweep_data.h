@@ -195,6 +195,7 @@ inline void Sweep_data::read_some_rings(const Remeshing_mesh& mesh, std::size_t 
     *next[i]++ = rank_[mesh.target(h[i])];
     h[i] = mesh.rotate_ccw(h[i]);
   };
+  if (n == 0) return;
   for (int k = 0; k < shortest; ++k)
     for (std::size_t i = 0; i < n; ++i) read_neighbor(i);
   for (int k = shortest; k < longest; ++k)
