@@ -832,7 +832,7 @@ void check_random_exchange(Graph& g, const Faces_of<Graph>& range, const std::st
     operations.step(nullptr);
   flat.renumber<CGAL::Sequential_tag>(flat.block_order());
   CHECK_CONSISTENT(flat);
-  exchange.write(flat, [](const auto&) {});
+  exchange.write(flat, [](const auto&) {}, []() {});
 
   CHECK_MESSAGE(is_valid_mesh(g), name);
   if(!is_valid_mesh(g))
@@ -1648,6 +1648,30 @@ void an_exception_leaves_everything_as_it_was()
     }
 }
 
+// Edges that are about to be removed lose their marks; where one of them cannot, all stay, and so do their marks.
+template <class Graph>
+void marks_come_back_where_their_map_fails()
+{
+  for(const int countdown : {1, 30, 60})
+  {
+    const auto w = uneven_workpiece<Graph>();
+    w->constrain_edges([](const Point& p, const Point& q) { return p.y() == 0 && q.y() == 0; });      // borders of patches
+    const Picture<Graph> before(w->mesh);
+    const auto edges_before = *w->edges.values;
+    w->fuse = Fuse{Place::put_edge, countdown};
+    try
+    {
+      w->remesh_with_fuses(3 * UNEVEN_LENGTH, Identity_of_points{&w->fuse});
+    }
+    catch(const Burnt&)
+    {}
+    CHECK_MESSAGE(w->fuse.has_burnt, countdown);
+    CHECK_MESSAGE(are_equal_but_for_garbage(Picture<Graph>(w->mesh), before), countdown);
+    for(const auto e : CGAL::edges(w->mesh))
+      CHECK_MESSAGE(w->edges[e] == (edges_before.count(e) > 0 && edges_before.at(e)), countdown);
+  }
+}
+
 // Without an exception, the same run does all that could have failed.
 template <class Graph>
 void without_an_exception_everything_happens()
@@ -1724,7 +1748,9 @@ int main()
 
   without_an_exception_everything_happens<Mesh>();
   an_exception_leaves_everything_as_it_was<Mesh>();
+  marks_come_back_where_their_map_fails<Mesh>();
   an_exception_leaves_everything_as_it_was<Polyhedron>();
+  marks_come_back_where_their_map_fails<Polyhedron>();
   running_out_of_memory_leaves_the_mesh_as_it_was<Mesh>();
   running_out_of_memory_leaves_the_mesh_as_it_was<Polyhedron>();
 #ifdef CGAL_LINKED_WITH_TBB

@@ -610,6 +610,30 @@ void attributes_with_every_projector()
   run(parameters::projection_functor(std::ref(projector)));
 }
 
+// Faces have the attribute of a face of their own patch, whichever patch is nearest; and named parameters that have a name are taken.
+void attributes_stay_in_their_patches()
+{
+  const Mesh input = read("mushroom");
+  CGAL::Bbox_3 box;
+  for(const Vertex v : input.vertices())
+    box += input.point(v).bbox();
+  const auto run = [&](const auto& np) {
+    Mesh m = input;
+    const auto patch = m.add_property_map<Face, int>("f:patch").first, attribute = m.add_property_map<Face, int>("f:attribute").first;
+    for(const Face f : m.faces())
+      attribute[f] = patch[f] = int(5 * (m.point(m.target(m.halfedge(f))).x() - box.xmin()) / (box.xmax() - box.xmin()));
+    IAR::Attribute_transfer<Mesh> transfer;
+    transfer.add_face_map(attribute);
+    auto all = np.face_patch_map(patch).visitor(std::ref(transfer));
+    IAR::isotropic_remeshing(IAR::Face_count(input.number_of_faces() / 10), m, all);
+    const auto others = std::count_if(m.faces_begin(), m.faces_end(), [&](Face f) { return attribute[f] != patch[f]; });
+    CHECK_MESSAGE(others == 0, others);
+  };
+  run(parameters::do_project(true));
+  run(parameters::do_project(false));
+  run(parameters::projection_functor([](const Point& p) { return p; }));
+}
+
 // A projector of Polygon_mesh_processing's kind lends a vertex of the range during the run; that vertex keeps its value, too.
 void the_lent_vertex_keeps_its_value()
 {
@@ -691,6 +715,7 @@ int main()
   linear_functions_are_kept();
   faces_and_kept_vertices();
   attributes_with_every_projector();
+  attributes_stay_in_their_patches();
   the_lent_vertex_keeps_its_value();
   readers_see_the_input();
   nothing_is_lost();

@@ -19,6 +19,8 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
+#include <type_traits>
+
 namespace CGAL {
 namespace Inter_angle_remeshing {
 
@@ -203,7 +205,11 @@ number of faces of the range and of the result, per iteration.
 @throws whatever a policy, projector, visitor, callback or property map of the user's throws
 */
 template <class ConcurrencyTag = CGAL::Sequential_tag, class FaceRange, class Length, class TriangleMesh,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+          typename CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+          , std::enable_if_t<!internal::Is_named_parameters<TriangleMesh>::value, int> = 0
+#endif
+          >
 Remeshing_report isotropic_remeshing(const FaceRange& faces, const Length& length, TriangleMesh& tmesh,
                                      const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {

@@ -27,18 +27,23 @@ struct Input_place
   std::array<double, 3> coordinates;
 };
 
-// Walks from where the projector left a vertex, if the projector's faces are those of the input; else it has to search.
+// Walks from where the projector left a vertex, if the projector's faces are those of the input; else it has to search. A face stays in
+// the patch of the one that it descends from.
 class Input_locator
 {
   using Index = Remeshing_mesh::Index;
 
 public:
+  Input_locator(const Input_locator&) = delete;           // it may refer to what it holds
+  Input_locator& operator=(const Input_locator&) = delete;
+
   // The mesh still is the input.
   Input_locator(const Projection& projection, const Remeshing_mesh& mesh)
   {
     if (projection.face_of_source == nullptr) {
       copy_ = std::make_unique<Reference_surface>(mesh);
       surface_ = copy_.get();
+      note_patches();
       return;
     }
     surface_ = projection.surface;
@@ -46,25 +51,61 @@ public:
     face_of_source_ = projection.face_of_source;
   }
 
-  Input_place place_of_vertex(const Remeshing_mesh& mesh, Index v) const { return place(mesh.position(v), mesh.hint(v)); }
+  Input_place place_of_vertex(const Remeshing_mesh& mesh, Index v) const
+  {
+    if (copy_ == nullptr) return place_by_walk(mesh.position(v), mesh.hint(v));
+    Index f = 0;
+    copy_->locate(mesh.position(v), f);
+    return place_on_face(mesh.position(v), f);
+  }
   // Of the centroid of face f, in the patch of the face that it descends from.
   Input_place place_of_face(const Remeshing_mesh& mesh, Index f) const
   {
     const auto& record = mesh.face_record(f);
     Vector3 centroid;
     for (const Index v : record.vertex) centroid += (1. / 3) * mesh.position(v);
-    return place(centroid, face_of_source_ == nullptr ? 0 : (*face_of_source_)[record.source]);
+    const Index start = (*face_of_source_)[record.source];
+    if (copy_ == nullptr) return place_by_walk(centroid, start);
+    Index nearest = 0;
+    copy_->locate(centroid, nearest);
+    return patch_[nearest] == patch_[start] ? place_on_face(centroid, nearest) : place_by_walk(centroid, start);
   }
 
 private:
-  Input_place place(const Vector3& p, Index f) const
+  // Which faces of the copy hang together without a barrier in between, and where the faces of the input are in it.
+  void note_patches()
   {
-    Point_on_triangle closest;
-    if (copy_ != nullptr) {
-      copy_->locate(p, f);
-      closest = closest_point_on_face(*copy_, p, f);
-    } else
-      closest = surface_->closest_point_near(factor_ * p, f);
+    const Index n = Index(copy_->number_of_faces());
+    patch_.assign(std::size_t(n), -1);
+    face_in_copy_.resize(std::size_t(n));
+    face_of_source_ = &face_in_copy_;
+    std::vector<Index> queue;
+    for (Index first = 0; first < n; ++first) {
+      face_in_copy_[copy_->face_record(first).source] = first;
+      if (patch_[first] >= 0) continue;
+      patch_[first] = first;
+      queue.assign(1, first);
+      while (!queue.empty()) {
+        const Index f = queue.back();
+        queue.pop_back();
+        for (Index h = 4 * f; h < 4 * f + 3; ++h) {
+          const Index o = copy_->opposite(h);
+          if (o < 0 || is_barrier(*copy_, h) || patch_[o >> 2] >= 0) continue;
+          patch_[o >> 2] = first;
+          queue.push_back(o >> 2);
+        }
+      }
+    }
+  }
+
+  Input_place place_by_walk(const Vector3& p, Index f) const
+  {
+    const Point_on_triangle closest = surface_->closest_point_near(factor_ * p, f);
+    return place(closest, f);
+  }
+  Input_place place_on_face(const Vector3& p, Index f) const { return place(closest_point_on_face(*surface_, factor_ * p, f), f); }
+  Input_place place(const Point_on_triangle& closest, Index f) const
+  {
     const auto& v = surface_->face_record(f).vertex;
     std::array<double, 3> b = barycentric(closest, surface_->position(v[0]), surface_->position(v[1]), surface_->position(v[2]));
     for (double& x : b) x = (std::max)(0., x);       // on needles they may be off by rounding
@@ -75,8 +116,9 @@ private:
 
   const Reference_surface* surface_ = nullptr;
   double factor_ = 1;                                   // from the mesh's units to the surface's
-  const std::vector<Index>* face_of_source_ = nullptr;  // the projector's
+  const std::vector<Index>* face_of_source_ = nullptr;  // the projector's, or that of the copy
   std::unique_ptr<const Reference_surface> copy_;       // of the input, where the projector knows another surface, or none
+  std::vector<Index> face_in_copy_, patch_;             // by face of the input; by face of the copy
 };
 
 } // namespace internal

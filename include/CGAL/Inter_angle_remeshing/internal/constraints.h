@@ -96,14 +96,28 @@ constexpr bool is_writable()
   return std::is_convertible<typename boost::property_traits<Map>::category, boost::writable_property_map_tag>::value;
 }
 
-// No edge that is about to be removed stays constrained: its descriptor may name another one some day. Maps are taken by value
-// here and below, as put() may change them.
+// No edge that is about to be removed stays constrained: its descriptor may name another one some day. Those that were are noted in
+// `forgotten`. Maps are taken by value here and below, as put() may change them.
 template <class EdgeIsConstrainedMap, class Edge>
-void forget_constraint(EdgeIsConstrainedMap ecm, const Edge& edge)
+void forget_constraint(EdgeIsConstrainedMap ecm, const Edge& edge, std::vector<Edge>& forgotten)
 {
-  (void)ecm; (void)edge;
+  (void)ecm; (void)edge; (void)forgotten;
   if constexpr (!std::is_same<EdgeIsConstrainedMap, No_map>::value)
-    if constexpr (is_writable<EdgeIsConstrainedMap>()) put(ecm, edge, false);
+    if constexpr (is_writable<EdgeIsConstrainedMap>()) {
+      if (get(ecm, edge)) forgotten.push_back(edge);
+      put(ecm, edge, false);
+    }
+}
+
+// The mesh stays as it was, and so do these edges, as far as their map lets them.
+template <class EdgeIsConstrainedMap, class Edge>
+void remember_constraints(EdgeIsConstrainedMap ecm, const std::vector<Edge>& forgotten)
+{
+  (void)ecm; (void)forgotten;
+  if constexpr (!std::is_same<EdgeIsConstrainedMap, No_map>::value)
+    if constexpr (is_writable<EdgeIsConstrainedMap>())
+      for (const Edge& edge : forgotten)
+        try { put(ecm, edge, true); } catch (...) {}      // of two exceptions, the one that is under way counts
 }
 
 // Makes the user's maps right for every edge and face of the result. `patches` are the patches of the input faces.

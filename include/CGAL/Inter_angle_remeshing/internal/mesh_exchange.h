@@ -99,9 +99,9 @@ public:
 
   // Replaces the range by the mesh. Everything that may fail, for want of memory or in the user's maps, comes first; if it does,
   // what was done is taken back, and the exception goes on. `mesh` must have no free slots. `before_removal(edge)` is called for edges
-  // that the result has no use for.
-  template <class Function>
-  void write(const Remeshing_mesh& mesh, const Function& before_removal)
+  // that the result has no use for, `on_failure()` where they stay after all.
+  template <class BeforeRemoval, class OnFailure>
+  void write(const Remeshing_mesh& mesh, const BeforeRemoval& before_removal, const OnFailure& on_failure)
   {
     plan(mesh);
     try {
@@ -109,6 +109,7 @@ public:
       set_points(mesh);
       for (std::size_t i = edges_needed_; i < spare_edges_.size(); ++i) before_removal(edge(spare_edges_[i], tmesh_));
     } catch (...) {
+      on_failure();
       take_back();
       throw;
     }

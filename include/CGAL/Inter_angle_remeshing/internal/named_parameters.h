@@ -41,6 +41,11 @@ constexpr bool has_parameter()
   return !std::is_same<Given, Not_given>::value;
 }
 
+template <class T>
+struct Is_named_parameters : std::false_type {};
+template <class T, class Tag, class Base>
+struct Is_named_parameters<CGAL::Named_function_parameters<T, Tag, Base>> : std::true_type {};
+
 inline No_map or_no_map(const Not_given&) { return {}; }
 template <class Map>
 Map or_no_map(const Map& map) { return map; }

@@ -172,7 +172,9 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   report.features = kind.features;
   report.feature_edges = kind.feature_edges;
   if (!is_to_be_written) return report;
-  exchange.write(mesh, [&](const auto& edge) { forget_constraint(parameters.edge_is_constrained_map, edge); });
+  std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> forgotten;
+  exchange.write(mesh, [&](const auto& edge) { forget_constraint(parameters.edge_is_constrained_map, edge, forgotten); },
+                 [&]() { remember_constraints(parameters.edge_is_constrained_map, forgotten); });
   write_constraints(exchange, mesh, tmesh, parameters.edge_is_constrained_map, parameters.face_patch_map, patches);
   if (attributes.are_carried()) attributes.write(mesh);
   return report;
