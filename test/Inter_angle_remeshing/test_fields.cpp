@@ -611,9 +611,9 @@ void attributes_with_every_projector()
 }
 
 // Faces have the attribute of a face of their own patch, whichever patch is nearest; and named parameters that have a name are taken.
-void attributes_stay_in_their_patches()
+void attributes_stay_in_their_patches(const std::string& name)
 {
-  const Mesh input = read("mushroom");
+  const Mesh input = read(name);
   CGAL::Bbox_3 box;
   for(const Vertex v : input.vertices())
     box += input.point(v).bbox();
@@ -627,7 +627,7 @@ void attributes_stay_in_their_patches()
     auto all = np.face_patch_map(patch).visitor(std::ref(transfer));
     IAR::isotropic_remeshing(IAR::Face_count(input.number_of_faces() / 10), m, all);
     const auto others = std::count_if(m.faces_begin(), m.faces_end(), [&](Face f) { return attribute[f] != patch[f]; });
-    CHECK_MESSAGE(others == 0, others);
+    CHECK_MESSAGE(others == 0, name << ", " << others);
   };
   run(parameters::do_project(true));
   run(parameters::do_project(false));
@@ -715,7 +715,8 @@ int main()
   linear_functions_are_kept();
   faces_and_kept_vertices();
   attributes_with_every_projector();
-  attributes_stay_in_their_patches();
+  for(const char* name : {"mushroom", "couplingdown", "elephant"})
+    attributes_stay_in_their_patches(name);
   the_lent_vertex_keeps_its_value();
   readers_see_the_input();
   nothing_is_lost();

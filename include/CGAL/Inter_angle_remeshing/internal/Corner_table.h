@@ -31,7 +31,7 @@ public:
     std::uint32_t edge_flags = 0;     // of the three edges, see Remeshing_mesh
   };
 
-  // The next half-edge of the face, and the one before; without branches, of which a third would be foretold wrongly.
+  // The next half-edge of the face, and the one before; without branches, as which corner comes next is not foretold well.
   static constexpr Index next(Index h) { return h + 1 - 3 * ((h >> 1) & 1); }
   static constexpr Index prev(Index h) { return h + 2 - 3 * (((h & 3) + 3) >> 2); }
   static constexpr Index face(Index h) { return h >> 2; }
@@ -44,7 +44,7 @@ public:
   // The origin of any half-edge, border sides included.
   Index source(Index h) const { return h >= 0 ? origin(h) : target(~h); }
   Index opposite(Index h) const { return h < 0 ? ~h : faces_[h >> 2].opposite[h & 3]; }
-  // Whether h stands for its edge: of two half-edges, the smaller one.
+  // Whether h stands for its edge: of two half-edges the smaller one; at the border the only one, as its opposite is negative.
   bool names_edge(Index h) const { return std::uint32_t(faces_[h >> 2].opposite[h & 3]) > std::uint32_t(h); }
   bool is_border(Index h) const { return faces_[h >> 2].opposite[h & 3] < 0; }
 

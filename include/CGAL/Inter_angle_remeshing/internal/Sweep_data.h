@@ -191,11 +191,11 @@ inline void Sweep_data::read_some_rings(const Remeshing_mesh& mesh, std::size_t 
     shortest = (std::min)(shortest, valence(i));
     longest = (std::max)(longest, valence(i));
   }
+  if (n == 0) return;                    // there is no least valence
   const auto read_neighbor = [&](std::size_t i) {
     *next[i]++ = rank_[mesh.target(h[i])];
     h[i] = mesh.rotate_ccw(h[i]);
   };
-  if (n == 0) return;
   for (int k = 0; k < shortest; ++k)
     for (std::size_t i = 0; i < n; ++i) read_neighbor(i);
   for (int k = shortest; k < longest; ++k)

@@ -101,12 +101,11 @@ private:
         const Index* v = corners(Index(i));
         const Vector3 a = mesh_.position(v[0]) - low, b = mesh_.position(v[1]) - low, c = mesh_.position(v[2]) - low;
         normals_[i] = triangle_cross(a, b, c);
-        const double extent[3][3] = {{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}};
+        const Bounding_box box(a, b, c);
+        const double least[3] = {box.low.x, box.low.y, box.low.z}, most[3] = {box.high.x, box.high.y, box.high.z};
         for (int k = 0; k < 3; ++k) {
-          const double least = (std::min)((std::min)(extent[k][0], extent[k][1]), extent[k][2]),
-                       most = (std::max)((std::max)(extent[k][0], extent[k][1]), extent[k][2]);
-          boxes_[i].low[k] = float((std::max)(0., least - ROUNDING));
-          boxes_[i].high[k] = float(most + ROUNDING);
+          boxes_[i].low[k] = float((std::max)(0., least[k] - ROUNDING));
+          boxes_[i].high[k] = float(most[k] + ROUNDING);
         }
       }
     });
