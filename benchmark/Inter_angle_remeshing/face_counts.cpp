@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Wanted numbers of faces: every triangle mesh of a folder (that of CGAL's data where none is given) to several parts of its own
-// number, where that is at least 40 and at most a million. Per part, apart for models with features: how many results miss it by more than 2 and 5 percent,
-// the mean of the inter-angles, the faces out of their bands and the distances in target lengths. Tables in Markdown; the misses by
-// name before them.
+// number, where that is at least 40 and at most a million. Per part, apart for models with features: how many results miss it by
+// more than 2 and 5 percent, the mean of the inter-angles, the faces out of their bands and the distances in target lengths. Tables
+// in Markdown; the misses by name before them.
 //
 //   face_counts [folder]
 

@@ -958,6 +958,22 @@ void tiny_chamfers_are_merged()
   CHECK(keeps_all_corners(wide, m));
 }
 
+// A plate that is thinner than that keeps its thickness: its rims are no chamfer.
+void thin_plates_do_not_become_flat()
+{
+  const double length = .1;
+  for(const double corner : {.1, .3})
+    for(const double thickness : {.0005, .0015})
+    {
+      const Mesh plate = chamfered_box(corner, thickness);
+      Mesh m = plate;
+      IAR::isotropic_remeshing(length, m);
+      CHECK_MESSAGE(CGAL::is_valid_polygon_mesh(m) && topology(m) == topology(plate), corner << ", " << thickness);
+      CHECK_MESSAGE(keeps_all_corners(plate, m), corner << ", " << thickness);
+      CHECK_MESSAGE(std::abs(PMP::volume(m) / PMP::volume(plate) - 1) < .01, corner << ", " << thickness << ": " << PMP::volume(m));
+    }
+}
+
 // The attributes of faces that stay are found on the input.
 void attributes_of_merged_chamfers_are_found()
 {
@@ -1536,6 +1552,7 @@ int main()
   slits_are_no_features();
   grading_mends_small_details();
   tiny_chamfers_are_merged();
+  thin_plates_do_not_become_flat();
   attributes_of_merged_chamfers_are_found();
   chamfers_stay_where_the_user_says_so();
   fillets_narrower_than_the_target_are_features();

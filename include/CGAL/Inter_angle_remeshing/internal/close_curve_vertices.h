@@ -23,6 +23,9 @@ namespace internal {
 // The two corners of a chamfer turn by 45 degrees each, or by what rounding leaves of that.
 constexpr double CHAMFER_COSINE = CORNER_COSINE + 1e-5;
 
+// Faces look to opposite sides from 150 degrees on.
+constexpr double WALL_COSINE = 0.866;
+
 class Close_curve_vertices
 {
   using Index = Remeshing_mesh::Index;
@@ -45,7 +48,7 @@ public:
     for (bool goes_on = true; goes_on;) {
       goes_on = false;
       for (const auto& [squared_length, h] : tiny_edges())
-        if (mesh_.is_face(mesh_.face(h)) && is_tiny(h) && merge_ends(h)) {
+        if (mesh_.is_face(mesh_.face(h)) && is_tiny(h) && !is_across_wall(h) && merge_ends(h)) {
           goes_on = true;
           ++merged;
         }
@@ -70,6 +73,30 @@ private:
     if (mesh_.is_on_curve_edge(h) && !(is_corner_[a] && is_corner_[b])) return false;
     const double longest = (std::min)(tolerance_[a], tolerance_[b]);
     return mesh_.squared_edge_length(h) <= longest * longest;
+  }
+
+  // Whether the surface looks to opposite sides beside the two ends, as at the rims of a thin plate or of a slit: it would become flat.
+  bool is_across_wall(Index h) const
+  {
+    const std::vector<Vector3> normals = normals_beside(h), others = normals_beside(mesh_.opposite(h));
+    return std::any_of(normals.begin(), normals.end(), [&](const Vector3& m) {
+      return std::any_of(others.begin(), others.end(), [&](const Vector3& n) { return is_cosine_at_least(m, -1. * n, WALL_COSINE); });
+    });
+  }
+
+  // The cross products of the faces at the source of h, without those at the edge of h and those that look nowhere.
+  std::vector<Vector3> normals_beside(Index h) const
+  {
+    std::vector<Vector3> result;
+    const Index a = mesh_.source(h), b = mesh_.source(mesh_.opposite(h));
+    mesh_.for_each_around(a, [&](Index k) {
+      const Index c = mesh_.target(k), d = mesh_.apex(k);
+      if (c == b || d == b) return;
+      const Vector3 &p = mesh_.position(a), &q = mesh_.position(c), &r = mesh_.position(d);
+      const Vector3 normal = triangle_cross(p, q, r);
+      if (!is_degenerate(normal, p, q, r)) result.push_back(normal);
+    });
+    return result;
   }
 
   // One of the two ends stays where it is: rather one that may not go, then the corner, then the one on more curves.
