@@ -130,7 +130,7 @@ const Expectation EXPECTATIONS[] = {
   {"fandisk",              2,  BOTH,     17, 105,  53.7},
   {"anchor_dense",         1,  BOTH,     22, 105,  54.3},  // genus 4
   {"joint",                1,  BOTH,     24, 106,  48.8},  // genus 2, faces as long as the model
-  {"cheese",               1,  EMBEDDED,  0, 172,  50.6},  // genus 133; crosses itself at three of the nine lengths
+  {"cheese",               1,  EMBEDDED,  0, 172,  50.6},  // genus 133, faces as long as the model
   // with borders
   {"patch-30",             1,  BOTH,     31, 103,  54.2},  // one border
   {"mushroom",             1,  BOTH,     31, 103,  56.4},  // one border

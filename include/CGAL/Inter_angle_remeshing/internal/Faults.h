@@ -39,7 +39,7 @@ class Faults
   static constexpr double TOUCH = 0.05;      // degrees that every bad face counts more
   // What two faces that cross each other count, and what the length of the segment in which they do, in target lengths; less where
   // the surface crosses itself: angles are not given up for what cannot be parted.
-  static constexpr double CROSSING = 200, CROSSING_LENGTH = 6000, INHERITED_CROSSING = 100;
+  static constexpr double CROSSING = 1000, CROSSING_LENGTH = 6000, INHERITED_CROSSING = 100;
   // What an operation near a face changes lies within so many rings of it.
   static constexpr int REACH = 4;
 
