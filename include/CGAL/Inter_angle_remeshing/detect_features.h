@@ -58,6 +58,12 @@ has grown: there a model was cut, or given a base. If half of the rim of such a 
 30 degrees and more are features, in components of at least five lengths, whatever they meet; but of two rims beside a narrow
 strip only the sharper one.
 
+Wraps and isosurfaces of parts have jagged chamfers instead of sharp edges. No edge of theirs is longer than 3.5 mean edge lengths;
+15% of the edges of 40 degrees and more are rims of chamfers one face wide, of less than 70 degrees; 0.4% turn to and fro, by 15 to
+80 degrees; and at most 30% are rims of walls that are one face thick. Of these, taken for CAD models otherwise, the edges
+that stand out of the filtered normals are features in chains of four lengths for each free end and components of
+eight; one side of a chamfer then, as a rule.
+
 A coarse model that is no CAD model, as one simplified to some hundred faces, has creases, which short edges must not cut off:
 where edges of 70 degrees and more make up a twentieth of the length of all edges, and the saddles above do not tell noise, those
 of them are features, too, that are at least twice as long as `scale`, as are the altitudes of both faces over them.

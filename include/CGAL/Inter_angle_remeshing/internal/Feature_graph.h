@@ -95,6 +95,15 @@ public:
         drop(component);
   }
 
+  // The same where the edges are known to be those of a part: the chains may be loose, and a tangle.
+  void prune_part()
+  {
+    for (int pass = 0; pass < 2; ++pass) drop_dangling_chains(0);
+    drop_parallel_chains();
+    drop_dangling_chains(0);
+    drop_short_components(2 * DANGLING_LENGTH);
+  }
+
   // Where two chains are the sides of a strip of faces that is narrower than this, the weaker one goes: no good triangles fit in
   // between. Not at the rim of a plate, where the surface turns back.
   void drop_sides_of_strips(double width);

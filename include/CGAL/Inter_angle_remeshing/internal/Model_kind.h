@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Face_normals.h>
 #include <CGAL/Inter_angle_remeshing/internal/Feature_graph.h>
+#include <CGAL/Inter_angle_remeshing/internal/jagged_chamfers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,8 @@ namespace internal {
 // and other surfaces of revolution of few facets. A few sharp edges beside each other, as around a vertex that is folded over, are
 // no feature of a part. Where round parts are coarse, as after remeshing, many edges are in between: the sharp ones still form
 // a network then. Noise makes saddles of sharp edges everywhere, where two and more ridges meet two and more grooves; parts and what
-// has grown have few.
+// has grown have few. Wraps and isosurfaces of parts have jagged chamfers instead of sharp edges: each of their rims as a curve of its
+// own would be more than edges of the length of these can follow.
 class Model_kind
 {
   using Index = Remeshing_mesh::Index;
@@ -58,6 +60,8 @@ public:
   }
 
   bool is_cad() const { return is_cad_; }
+  // Whether it would be a CAD model, had it sharp edges instead of jagged chamfers.
+  bool has_jagged_chamfers() const { return has_jagged_chamfers_; }
   // One half-edge of each edge of LEAST_ANGLE and more; of those of at least this angle among them.
   const std::vector<Index>& sharp_edges() const { return sharp_edges_; }
   std::vector<Index> sharp_edges(double degrees) const
@@ -116,6 +120,8 @@ private:
     const auto form_network = [&]() { return Feature_graph(mesh_, own_length_, candidates).is_network(); };
     is_cad_ = ((is_cad_with(of_sharp) && is_cad_with(of_long)) || (of_mild < MOST_MILD * of_long && form_network())) &&
               ((are_few_mild(of_sharp) && are_few_mild(of_long)) || !are_of_noise());
+    has_jagged_chamfers_ = is_cad_ && Jagged_chamfers(normals_, candidates).are_there(own_length_);
+    is_cad_ = is_cad_ && !has_jagged_chamfers_;
     if (is_cad_) return;
     creases_ = sharp_edges(CREASE_ANGLE);
     for (const Index h : creases_) of_creases += std::sqrt(mesh_.squared_edge_length(h));
@@ -159,7 +165,7 @@ private:
   const Face_normals& normals_;
   const Remeshing_mesh& mesh_;
   double own_length_;
-  bool is_cad_ = false;
+  bool is_cad_ = false, has_jagged_chamfers_ = false;
   std::size_t sharp_vertices_ = 0, saddles_ = 0;       // vertices of edges of CAD_ANGLE, and those of them that are saddles
   std::vector<Index> sharp_edges_, creases_;
 };

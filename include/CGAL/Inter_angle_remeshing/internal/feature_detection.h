@@ -121,7 +121,8 @@ private:
   {
     Feature_graph graph(mesh_, length);
     for (const Index h : edges) graph.add(h, normals_.angle(h), std::binary_search(certain.begin(), certain.end(), h));
-    graph.prune();
+    if (kind_.has_jagged_chamfers()) graph.prune_part();
+    else graph.prune();
     return graph.edges();
   }
 
