@@ -58,8 +58,8 @@ has grown: there a model was cut, or given a base. If half of the rim of such a 
 30 degrees and more are features, in components of at least five lengths, whatever they meet; but of two rims beside a narrow
 strip only the sharper one.
 
-Wraps and isosurfaces of parts have jagged chamfers instead of sharp edges. No edge of theirs is longer than 3.5 mean edge lengths;
-15% of the edges of 40 degrees and more are rims of chamfers one face wide, of less than 70 degrees; 0.4% turn to and fro, by 15 to
+Alpha wraps of parts have jagged chamfers instead of sharp edges. No edge of theirs is longer than 3.5 mean edge lengths;
+15% of the edges of 40 degrees and more are rims of chamfers one face wide, of less than 70 degrees; 0.2% turn to and fro, by 15 to
 80 degrees; and at most 30% are rims of walls that are one face thick. Of these, taken for CAD models otherwise, the edges
 that stand out of the filtered normals are features in chains of four lengths for each free end and components of
 eight; one side of a chamfer then, as a rule.

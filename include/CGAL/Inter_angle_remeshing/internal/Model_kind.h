@@ -25,7 +25,7 @@ namespace internal {
 // and other surfaces of revolution of few facets. A few sharp edges beside each other, as around a vertex that is folded over, are
 // no feature of a part. Where round parts are coarse, as after remeshing, many edges are in between: the sharp ones still form
 // a network then. Noise makes saddles of sharp edges everywhere, where two and more ridges meet two and more grooves; parts and what
-// has grown have few. Wraps and isosurfaces of parts have jagged chamfers instead of sharp edges: each of their rims as a curve of its
+// has grown have few. Alpha wraps of parts have jagged chamfers instead of sharp edges: each of their rims as a curve of its
 // own would be more than edges of the length of these can follow.
 class Model_kind
 {

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-// Whether a mesh has jagged chamfers where the part that it was made of has edges, as wraps and isosurfaces have.
+// Whether a mesh has jagged chamfers where the part that it was made of has edges, as alpha wraps have.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -29,7 +29,7 @@ class Jagged_chamfers
   static constexpr double LEAST_TURN = 15, GREATEST_TURN = 80;     // to and fro, in degrees
   static constexpr double WALL_ANGLE = 150;                        // between the two sides of a thin wall, at least, in degrees
   // Parts of the sharp edges.
-  static constexpr double LEAST_CHAMFERS = 0.15, LEAST_JAGGED = 0.004, MOST_WALLS = 0.3;
+  static constexpr double LEAST_CHAMFERS = 0.15, LEAST_JAGGED = 0.002, MOST_WALLS = 0.3;
 
 public:
   // `sharp_edges` has one half-edge of each.
