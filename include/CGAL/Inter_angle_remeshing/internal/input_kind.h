@@ -28,6 +28,7 @@ namespace internal {
 struct Input_kind
 {
   bool is_cad;                   // the dihedral angles tell a CAD model
+  bool is_faceted;               // so they do, or a wrap of one: its faces are no samples of a smooth surface
   bool searches_features;        // its sharp edges were looked for, and those that were found are constrained
   Remeshing_report::Features features;
   std::size_t feature_edges;
@@ -50,11 +51,12 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
   using Functor = std::decay_t<decltype(referred(parameters.projection_functor))>;
   constexpr bool keeps_surface = std::is_same<Functor, No_map>::value || Has_reference_surface<Functor>::value;
   using Features = Remeshing_report::Features;
-  Input_kind kind{false, false, Features::none, count_features(mesh), 0, {}};
+  Input_kind kind{false, false, false, Features::none, count_features(mesh), 0, {}};
   if (kind.feature_edges > 0) kind.features = Features::marked;
   if (!keeps_surface || parameters.recipe.surface == Recipe::Surface::paper) return kind;
   Feature_detector detector(mesh, (std::max)(target.length, mean_length));
   kind.is_cad = detector.kind().is_cad();
+  kind.is_faceted = kind.is_cad || detector.kind().has_jagged_chamfers();
   kind.saddle_excess = detector.kind().saddle_excess();
   kind.searches_features = parameters.constraint_settings.finds_features;
   if (!kind.searches_features) return kind;
