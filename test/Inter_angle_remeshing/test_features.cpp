@@ -21,7 +21,9 @@
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/alpha_wrap_3.h>
@@ -29,9 +31,11 @@
 
 #include "check.h"
 #include "invariants.h"
+#include "marching_cubes.h"
 #include "meshes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -888,22 +892,26 @@ void grading_mends_small_details()
                          CGAL::Precondition_exception, "grading");
 }
 
-// A box over the unit square whose upright edges are chamfers, so wide that they take `c` of each side.
-Mesh chamfered_box(double c, double height)
+// A box over the unit square whose upright edges are chamfers, so wide that they take `c` of each side; its sides are in so many rows.
+Mesh chamfered_box(double c, double height, int rows = 1)
 {
   Soup box;
-  for(const double z : {0., height})
+  for(int row = 0; row <= rows; ++row)
     for(const auto& [x, y] : {std::pair{c, 0.}, {1 - c, 0.}, {1., c}, {1., 1 - c}, {1 - c, 1.}, {c, 1.}, {0., 1 - c}, {0., c}})
-      box.points.push_back({x, y, z});
+      box.points.push_back({x, y, height * row / rows});
+  const std::size_t top = 8 * std::size_t(rows);
   for(std::size_t i = 0; i < 8; ++i)
   {
     const std::size_t j = (i + 1) % 8;
-    box.faces.push_back({i, j, 8 + j});
-    box.faces.push_back({i, 8 + j, 8 + i});
+    for(std::size_t row = 0; row < top; row += 8)
+    {
+      box.faces.push_back({row + i, row + j, row + 8 + j});
+      box.faces.push_back({row + i, row + 8 + j, row + 8 + i});
+    }
     if(i == 0 || j == 0)
       continue;
     box.faces.push_back({0, j, i});
-    box.faces.push_back({8, 8 + i, 8 + j});
+    box.faces.push_back({top, top + i, top + j});
   }
   return meshes::to_mesh<Mesh>(box);
 }
@@ -1213,6 +1221,81 @@ std::size_t number_of_needles(const Mesh& m)
     const Point p = m.point(m.source(h)), q = m.point(m.target(h)), r = m.point(m.target(m.next(h)));
     return std::min({CGAL::approximate_angle(p, q, r), CGAL::approximate_angle(q, r, p), CGAL::approximate_angle(r, p, q)}) < 20;
   });
+}
+
+// What marching cubes make of the voxels that `is_marked` names, each so long along the axes.
+template <class Predicate>
+Mesh segmentation(const std::array<int, 3>& size, const std::array<double, 3>& voxel, const Predicate& is_marked)
+{
+  meshes::Isosurface surface = meshes::marching_cubes(size, is_marked);
+  std::vector<Point> points;
+  for(const auto& p : surface.points)
+    points.emplace_back(voxel[0] * p[0], voxel[1] * p[1], voxel[2] * p[2]);
+  PMP::orient_polygon_soup(points, surface.triangles);     // two cubes may have cut the side between them in the same way
+  Mesh m;
+  PMP::polygon_soup_to_polygon_mesh(points, surface.triangles, m);
+  return m;
+}
+
+// The stairs that marching cubes leave around the voxels of a segmentation are not the object's edges.
+void stairs_of_voxels_are_no_features()
+{
+  constexpr double radius = 12.3;
+  const auto is_in_ball = [](double x, double y, double z) { return x * x + y * y + z * z < radius * radius; };
+  for(const std::array<double, 3>& voxel : {std::array<double, 3>{1, 1, 1}, {1, 1, 3}, {2, 1, 1}})
+  {
+    const auto size = [&](int k) { return int(2 * radius / voxel[k]) + 2; };
+    const Mesh stairs = segmentation({size(0), size(1), size(2)}, voxel, [&](int x, int y, int z) {
+      return is_in_ball(voxel[0] * x - radius, voxel[1] * y - radius, voxel[2] * z - radius); });
+    CHECK(CGAL::is_closed(stairs) && PMP::is_outward_oriented(stairs));
+    CHECK(std::count_if(stairs.edges_begin(), stairs.edges_end(), [&](Edge e) { return dihedral_angle(e, stairs) > 40; }) > 500);
+    CHECK(found_features(stairs).empty());
+    for(const double factor : {1., 3.})
+    {
+      Mesh m = stairs;
+      const double length = factor * mean_edge_length(stairs);
+      const auto report = IAR::isotropic_remeshing(length, m);
+      CHECK(report.features == Features::none && report.feature_edges == 0);
+      CHECK_MESSAGE(report.angles_after.minimum > 38 && report.angles_after.maximum < 92,
+                    report.angles_after.minimum << " to " << report.angles_after.maximum);
+      CHECK(CGAL::is_valid_polygon_mesh(m) && topology(m) == topology(stairs) && !does_self_intersect(m));
+      const double moved = IAR::surface_distance(stairs, m).hausdorff();
+      CHECK_MESSAGE(moved < .5 * length, moved / length);
+      const double grown = PMP::volume(m) / PMP::volume(stairs);
+      CHECK_MESSAGE(grown > .98 && grown < 1.02, grown);
+    }
+  }
+
+  // However it lies, with coordinates of single precision, and cut open.
+  const Mesh ball = segmentation({26, 26, 26}, {1, 1, 1}, [&](int x, int y, int z) {
+    return is_in_ball(x - radius, y - radius, z - radius); });
+  Mesh turned = ball;
+  for(const Vertex v : turned.vertices())
+  {
+    const Point p = ball.point(v);
+    turned.point(v) = Point(float(120 + .48 * p.x() - .6 * p.y() + .64 * p.z()), float(-75 + .8 * p.x() - .6 * p.z()),
+                            float(.36 * p.x() + .8 * p.y() + .48 * p.z()));
+  }
+  CHECK(found_features(turned).empty());
+  for(const Mesh::Face_index f : std::vector<Mesh::Face_index>(turned.faces_begin(), turned.faces_end()))
+    if(turned.point(target(turned.halfedge(f), turned)).x() > 125)
+      CGAL::Euler::remove_face(turned.halfedge(f), turned);
+  turned.collect_garbage();
+  CHECK(turned.number_of_faces() > 1000 && !CGAL::is_closed(turned) && found_features(turned).empty());
+
+  // Voxels themselves, and bars that are as regular, were designed. Noise is too thin to do without its edges.
+  CHECK(!found_features(meshes::to_mesh<Mesh>(meshes::voxels(6, [&](const std::array<int, 3>& c) {
+    return is_in_ball(2 * c[0], 2 * c[1], 2 * c[2]); }))).empty());
+  const int rows = 30;
+  CHECK(found_features(chamfered_box(.1, 6, rows)).size() == std::size_t(8 * rows + 2 * 8));
+  std::mt19937 random(1);
+  std::vector<char> is_noise(26 * 26 * 26);
+  for(char& c : is_noise)
+    c = random() % 2 == 0;
+  const Mesh speckled = segmentation({26, 26, 26}, {1, 1, 1}, [&](int x, int y, int z) {
+    const double r = std::hypot(x - radius, y - radius, z - radius);
+    return r < radius - 4 || (r < radius - 1 && is_noise[26 * (26 * x + y) + z]); });
+  CHECK(!found_features(speckled).empty());
 }
 
 // Alpha wraps have jagged chamfers instead of edges. To keep both rims of each would take many more faces, and needles between them;
@@ -1620,6 +1703,7 @@ int main()
   chamfers_stay_where_the_user_says_so();
   fillets_narrower_than_the_target_are_features();
   a_relief_too_fine_for_the_target_is_no_feature();
+  stairs_of_voxels_are_no_features();
   one_rim_of_a_jagged_chamfer_is_a_feature();
   grading_mends_jagged_borders();
   round_rims_are_coarsened();

@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Face_normals.h>
 #include <CGAL/Inter_angle_remeshing/internal/Feature_graph.h>
 #include <CGAL/Inter_angle_remeshing/internal/jagged_chamfers.h>
+#include <CGAL/Inter_angle_remeshing/internal/voxel_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,8 @@ namespace internal {
 // no feature of a part. Where round parts are coarse, as after remeshing, many edges are in between: the sharp ones still form
 // a network then. Noise makes saddles of sharp edges everywhere, where two and more ridges meet two and more grooves; parts and what
 // has grown have few. Alpha wraps of parts have jagged chamfers instead of sharp edges: each of their rims as a curve of its
-// own would be more than edges of the length of these can follow.
+// own would be more than edges of the length of these can follow. Marching cubes around what is marked in a volume leave the stairs of
+// its voxels, whose edges tell nothing about the object.
 class Model_kind
 {
   using Index = Remeshing_mesh::Index;
@@ -47,6 +49,9 @@ class Model_kind
   static constexpr double CLEAN_SHARE = 0.035;
   // Edges of at least this angle are creases where they make up this part of the length of all edges.
   static constexpr double CREASE_ANGLE = 70, CREASE_SHARE = 0.05;
+  // The part of the sharp edges of stairs of voxels that are rims of chamfers; voxels themselves have none. Where more than this part are
+  // rims of thin walls, noise was marked: faces that do without its edges would cross each other.
+  static constexpr double CHAMFERED_STAIRS = 0.2, THIN_STAIRS = 0.1;
 
 public:
   // The angle from which on edges are sharp on CAD models, and on others.
@@ -62,6 +67,8 @@ public:
   bool is_cad() const { return is_cad_; }
   // Whether it would be a CAD model, had it sharp edges instead of jagged chamfers.
   bool has_jagged_chamfers() const { return has_jagged_chamfers_; }
+  // Whether its sharp edges are those of the stairs that marching cubes leave. It is no CAD model then.
+  bool has_voxel_stairs() const { return has_voxel_stairs_; }
   // One half-edge of each edge of LEAST_ANGLE and more; of those of at least this angle among them.
   const std::vector<Index>& sharp_edges() const { return sharp_edges_; }
   std::vector<Index> sharp_edges(double degrees) const
@@ -120,9 +127,12 @@ private:
     const auto form_network = [&]() { return Feature_graph(mesh_, own_length_, candidates).is_network(); };
     is_cad_ = ((is_cad_with(of_sharp) && is_cad_with(of_long)) || (of_mild < MOST_MILD * of_long && form_network())) &&
               ((are_few_mild(of_sharp) && are_few_mild(of_long)) || !are_of_noise());
-    has_jagged_chamfers_ = is_cad_ && Jagged_chamfers(normals_, candidates).are_there(own_length_);
-    is_cad_ = is_cad_ && !has_jagged_chamfers_;
-    if (is_cad_) return;
+    const Jagged_chamfers chamfers(normals_, candidates);
+    has_voxel_stairs_ = chamfers.chamfer_share() >= CHAMFERED_STAIRS && chamfers.wall_share() <= THIN_STAIRS &&
+                        Voxel_surface(mesh_, own_length_).is_one();
+    has_jagged_chamfers_ = is_cad_ && !has_voxel_stairs_ && chamfers.are_there(own_length_);
+    is_cad_ = is_cad_ && !has_voxel_stairs_ && !has_jagged_chamfers_;
+    if (is_cad_ || has_voxel_stairs_) return;
     creases_ = sharp_edges(CREASE_ANGLE);
     for (const Index h : creases_) of_creases += std::sqrt(mesh_.squared_edge_length(h));
     if (of_creases < CREASE_SHARE * of_all || are_of_noise()) creases_.clear();
@@ -165,7 +175,7 @@ private:
   const Face_normals& normals_;
   const Remeshing_mesh& mesh_;
   double own_length_;
-  bool is_cad_ = false, has_jagged_chamfers_ = false;
+  bool is_cad_ = false, has_jagged_chamfers_ = false, has_voxel_stairs_ = false;
   std::size_t sharp_vertices_ = 0, saddles_ = 0;       // vertices of edges of CAD_ANGLE, and those of them that are saddles
   std::vector<Index> sharp_edges_, creases_;
 };

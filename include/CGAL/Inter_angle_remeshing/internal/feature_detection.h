@@ -55,6 +55,7 @@ public:
   // One half-edge of each feature.
   std::vector<Index> features()
   {
+    if (kind_.has_voxel_stairs()) return {};
     if (kind_.is_cad()) return without_narrow_strips(kind_.sharp_edges(Model_kind::CAD_ANGLE));
     const std::vector<Index> rims = planar_rims(normals_, own_length_, kind_.sharp_edges());
     Outstanding_edges outstanding(normals_, own_length_, kind_.sharp_edges());
@@ -72,6 +73,7 @@ public:
   template <class Length>
   Found_features features_for(const Length& target_length, double fillet_width, double relief_density)
   {
+    if (kind_.has_voxel_stairs()) return {};
     const bool is_cad = kind_.is_cad();
     const bool may_have_fillets = fillet_width > 0 && (is_cad || normals_.planar_share() >= LEAST_PLANAR_SHARE);
     const std::vector<Vector3> unfiltered = may_have_fillets ? normals_.all() : std::vector<Vector3>();

@@ -42,12 +42,15 @@ public:
     }
   }
 
+  // The parts of the sharp edges that are rims of chamfers, jagged or not, and of thin walls.
+  double chamfer_share() const { return part([&](Index h) { return is_rim_of_chamfer(h); }); }
+  double wall_share() const { return part([&](Index h) { return is_rim_of_wall(h); }); }
+
   // `mean_length` is that of the edges of the mesh.
   bool are_there(double mean_length) const
   {
-    return is_even(mean_length) && part([&](Index h) { return is_rim_of_chamfer(h); }) >= LEAST_CHAMFERS &&
-           part([&](Index h) { return turns_to_and_fro(h); }) >= LEAST_JAGGED &&
-           part([&](Index h) { return is_rim_of_wall(h); }) <= MOST_WALLS;
+    return is_even(mean_length) && chamfer_share() >= LEAST_CHAMFERS && wall_share() <= MOST_WALLS &&
+           part([&](Index h) { return turns_to_and_fro(h); }) >= LEAST_JAGGED;
   }
 
 private:
