@@ -348,6 +348,21 @@ void coarse_numbers_of_faces_are_met()
   }
 }
 
+// An angle between two edges of a border that is too small is the input's; one that is too large could be divided.
+void only_small_angles_between_borders_are_forced()
+{
+  using Reason = IAR::Remeshing_report::Reason;
+  for(const auto& [height, reason] : {std::pair{.15, Reason::border_or_feature}, std::pair{3., Reason::input_corner}})
+  {
+    Mesh m = meshes::to_mesh<Mesh>(meshes::Soup{{{0, 0, 0}, {1, 0, 0}, {.5, height, 0}}, {{0, 1, 2}}});
+    const auto report = IAR::isotropic_remeshing(faces(m), 2., m, parameters::protect_constraints(true));
+    CHECK(m.number_of_faces() == 1 && report.number_of_faces_out_of_band == 1 && report.faces_out_of_band.size() == 1);
+    CHECK(report.faces_out_of_band[0].reason == reason && report.band_holds == (reason == Reason::input_corner));
+    const double apex = 2 * std::atan(.5 / height) * 180 / CGAL_PI, violation = std::max(apex - 103, 33 - apex);
+    CHECK_MESSAGE(std::abs(report.faces_out_of_band[0].violation - violation) < 1e-6, report.faces_out_of_band[0].violation);
+  }
+}
+
 // Models on which moving vertices leaves angles out of the band, or folds.
 const char* const HARD[] = {"armadillo", "dino", "cow", "triceratops", "bull"};
 
@@ -1343,6 +1358,7 @@ int main(int argc, char* argv[])
   wanted_numbers_of_faces_are_met();
   coarse_numbers_of_faces_are_met();
   the_repair_reaches_the_band();
+  only_small_angles_between_borders_are_forced();
   large_distances_are_lowered();
   crossing_faces_are_parted();
   small_crossings_of_the_input_are_parted();

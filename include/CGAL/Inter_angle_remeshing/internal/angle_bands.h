@@ -57,8 +57,8 @@ inline bool holds_band(const Remeshing_mesh& mesh, const Angle_bands& bands, Rem
   return bands.of(mesh, v[0], v[1], v[2]).holds(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]));
 }
 
-// How far an angle of face f is out of its band, in degrees; 0 where none is. An angle between two edges on curves counts
-// only with `counts_forced`: it is the input's, and no remesher can change it.
+// How far an angle of face f is out of its band, in degrees; 0 where none is. A small angle between two edges on curves counts
+// only with `counts_forced`: it is the input's, and no remesher can change it. A large one can be divided.
 inline double angle_violation(const Remeshing_mesh& mesh, const Angle_bands& bands, Remeshing_mesh::Index f,
                               bool counts_forced = false)
 {
@@ -68,10 +68,10 @@ inline double angle_violation(const Remeshing_mesh& mesh, const Angle_bands& ban
   double result = 0;
   for (int k = 0; k < 3; ++k) {
     const Remeshing_mesh::Index h = 4 * f + k;
-    if (!counts_forced && mesh.is_on_curve_edge(h) && mesh.is_on_curve_edge(mesh.prev(h))) continue;
+    const bool may_be_forced = !counts_forced && mesh.is_on_curve_edge(h) && mesh.is_on_curve_edge(mesh.prev(h));
     const double angle = arc_cosine_in_degrees(
       corner_cosine(mesh.position(v[k]), mesh.position(v[(k + 1) % 3]), mesh.position(v[(k + 2) % 3])));
-    result = (std::max)({result, band.lower() - angle, angle - band.upper()});
+    result = (std::max)({result, may_be_forced ? 0. : band.lower() - angle, angle - band.upper()});
   }
   return result;
 }
