@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_CLOSE_CURVE_VERTICES_H
 
 #include <CGAL/Inter_angle_remeshing/internal/curves.h>
+#include <CGAL/Inter_angle_remeshing/internal/thin_walls.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,9 +23,6 @@ namespace internal {
 
 // The two corners of a chamfer turn by 45 degrees each, or by what rounding leaves of that.
 constexpr double CHAMFER_COSINE = CORNER_COSINE + 1e-5;
-
-// Faces look to opposite sides from 150 degrees on.
-constexpr double WALL_COSINE = 0.866;
 
 class Close_curve_vertices
 {
@@ -80,7 +78,7 @@ private:
   {
     const std::vector<Vector3> normals = normals_beside(h), others = normals_beside(mesh_.opposite(h));
     return std::any_of(normals.begin(), normals.end(), [&](const Vector3& m) {
-      return std::any_of(others.begin(), others.end(), [&](const Vector3& n) { return is_cosine_at_least(m, -1. * n, WALL_COSINE); });
+      return std::any_of(others.begin(), others.end(), [&](const Vector3& n) { return look_to_opposite_sides(m, n); });
     });
   }
 

@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_JAGGED_CHAMFERS_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Face_normals.h>
+#include <CGAL/Inter_angle_remeshing/internal/thin_walls.h>
 
 #include <algorithm>
 #include <array>
@@ -27,7 +28,6 @@ class Jagged_chamfers
   static constexpr double LONGEST_EDGE = 3.5;                      // of an even mesh, in mean edge lengths
   static constexpr double STEEPEST_RIM = 70;                       // of a chamfer, in degrees
   static constexpr double LEAST_TURN = 15, GREATEST_TURN = 80;     // to and fro, in degrees
-  static constexpr double WALL_ANGLE = 150;                        // between the two sides of a thin wall, at least, in degrees
   // Parts of the sharp edges.
   static constexpr double LEAST_CHAMFERS = 0.15, LEAST_JAGGED = 0.002, MOST_WALLS = 0.3;
 
@@ -108,8 +108,7 @@ private:
   {
     if (!is_strip(h) || mesh_.opposite(h) < 0) return false;
     const Vector3& normal = normals_[mesh_.opposite(h) >> 2];
-    const double opposite = cosine_of_degrees(WALL_ANGLE);
-    return !mesh_.all_around(mesh_.apex(h), [&](Index k) { return dot(normal, normals_[k >> 2]) > opposite; });
+    return !mesh_.all_around(mesh_.apex(h), [&](Index k) { return !look_to_opposite_sides(normal, normals_[k >> 2]); });
   }
 
   const Face_normals& normals_;
