@@ -64,10 +64,11 @@ Alpha wraps of parts have jagged chamfers instead of sharp edges. No edge of the
 that stand out of the filtered normals are features in chains of four lengths for each free end and components of
 eight; one side of a chamfer then, as a rule.
 
-The stairs that marching cubes leave around the voxels that are marked in a volume are no features, nor is anything beside them.
-98% of the edges of such a mesh are the same few vectors, up to 64, and have along three axes that are normal to each other steps of
-nothing, half a voxel, or one, of a half along two axes or none, along each two on some. Of its edges of 40 degrees and more, 20% are
-rims of chamfers one face wide, of less than 70 degrees, and at most 10% rims of walls that are one face thick, as noise has them.
+The stairs that marching cubes leave around the voxels that are marked in a volume are no features, nor is anything beside them. At
+least 98% of the edges of such a mesh are the same few vectors, 64 at most, each of them 16 times on the average. Along each of three axes
+that are normal to each other a vector goes by nothing, by half a voxel or by one; by a half along two of them or none, and each pair
+of axes has such vectors. Of the edges of 40 degrees and more 20% are rims of chamfers one face wide, of less than 70 degrees, and at most
+10% are rims of walls that are one face thick: noise has more.
 
 A coarse model that is no CAD model, as one simplified to some hundred faces, has creases, which short edges must not cut off:
 where edges of 70 degrees and more make up a twentieth of the length of all edges, and the saddles above do not tell noise, those
