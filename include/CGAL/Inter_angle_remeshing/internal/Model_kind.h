@@ -52,6 +52,8 @@ class Model_kind
   // The part of the sharp edges of stairs of voxels that are rims of chamfers; voxels themselves have none. Where more than this part are
   // rims of thin walls, noise was marked: faces that do without its edges would cross each other.
   static constexpr double CHAMFERED_STAIRS = 0.2, THIN_STAIRS = 0.1;
+  // Where simplification has taken the vertices off the grid, so many are rims of chamfers, and so many turn to and fro.
+  static constexpr double SIMPLIFIED_CHAMFERS = 0.6, SIMPLIFIED_JAGS = 0.07;
 
 public:
   // The angle from which on edges are sharp on CAD models, and on others.
@@ -128,14 +130,21 @@ private:
     is_cad_ = ((is_cad_with(of_sharp) && is_cad_with(of_long)) || (of_mild < MOST_MILD * of_long && form_network())) &&
               ((are_few_mild(of_sharp) && are_few_mild(of_long)) || !are_of_noise());
     const Jagged_chamfers chamfers(normals_, candidates);
-    has_voxel_stairs_ = chamfers.chamfer_share() >= CHAMFERED_STAIRS && chamfers.wall_share() <= THIN_STAIRS &&
-                        Voxel_surface(mesh_, own_length_).is_one();
+    has_voxel_stairs_ = are_stairs(chamfers);
     has_jagged_chamfers_ = is_cad_ && !has_voxel_stairs_ && chamfers.are_there(own_length_);
     is_cad_ = is_cad_ && !has_voxel_stairs_ && !has_jagged_chamfers_;
     if (is_cad_ || has_voxel_stairs_) return;
     creases_ = sharp_edges(CREASE_ANGLE);
     for (const Index h : creases_) of_creases += std::sqrt(mesh_.squared_edge_length(h));
     if (of_creases < CREASE_SHARE * of_all || are_of_noise()) creases_.clear();
+  }
+
+  bool are_stairs(const Jagged_chamfers& chamfers) const
+  {
+    const double share = chamfers.chamfer_share();
+    if (share < CHAMFERED_STAIRS || chamfers.wall_share() > THIN_STAIRS) return false;
+    return Voxel_surface(mesh_, own_length_).is_one() ||
+           (is_cad_ && share >= SIMPLIFIED_CHAMFERS && chamfers.jagged_share() >= SIMPLIFIED_JAGS);
   }
 
   // The length of these edges in components that are long beside the edges of the mesh, or beside the model.

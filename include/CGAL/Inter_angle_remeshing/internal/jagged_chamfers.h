@@ -42,15 +42,15 @@ public:
     }
   }
 
-  // The parts of the sharp edges that are rims of chamfers, jagged or not, and of thin walls.
+  // The parts of the sharp edges that are rims of chamfers, that turn to and fro, and that are rims of thin walls.
   double chamfer_share() const { return part([&](Index h) { return is_rim_of_chamfer(h); }); }
+  double jagged_share() const { return part([&](Index h) { return turns_to_and_fro(h); }); }
   double wall_share() const { return part([&](Index h) { return is_rim_of_wall(h); }); }
 
   // `mean_length` is that of the edges of the mesh.
   bool are_there(double mean_length) const
   {
-    return is_even(mean_length) && chamfer_share() >= LEAST_CHAMFERS && wall_share() <= MOST_WALLS &&
-           part([&](Index h) { return turns_to_and_fro(h); }) >= LEAST_JAGGED;
+    return is_even(mean_length) && chamfer_share() >= LEAST_CHAMFERS && jagged_share() >= LEAST_JAGGED && wall_share() <= MOST_WALLS;
   }
 
 private:
