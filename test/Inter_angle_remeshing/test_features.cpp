@@ -1323,10 +1323,16 @@ void stairs_of_voxels_are_no_features()
   const Mesh simplified = without_flat_vertices(ball);
   CHECK(CGAL::is_valid_polygon_mesh(simplified) && 10 * simplified.number_of_faces() < 9 * ball.number_of_faces());
   CHECK(std::abs(PMP::volume(simplified) / PMP::volume(ball) - 1) < 1e-6 && found_features(simplified).empty());
-  Mesh remeshed = simplified;
-  const auto report = IAR::isotropic_remeshing(mean_edge_length(simplified), remeshed);
-  CHECK_MESSAGE(report.angles_after.minimum > 38 && report.angles_after.maximum < 92,
-                report.angles_after.minimum << " to " << report.angles_after.maximum);
+  for(const double factor : {.5, 1.})
+  {
+    Mesh m = simplified;
+    const double length = factor * mean_edge_length(simplified);
+    const auto report = IAR::isotropic_remeshing(length, m);
+    CHECK_MESSAGE(report.angles_after.minimum > 38 && report.angles_after.maximum < 92,
+                  report.angles_after.minimum << " to " << report.angles_after.maximum);
+    const double moved = IAR::surface_distance(simplified, m).hausdorff();
+    CHECK_MESSAGE(moved < .5 * length, moved / length);
+  }
 
   // Voxels themselves, and bars that are as regular, were designed. Noise is too thin to do without its edges.
   CHECK(!found_features(meshes::to_mesh<Mesh>(meshes::voxels(6, [&](const std::array<int, 3>& c) {

@@ -36,7 +36,7 @@ inline std::vector<Remeshing_mesh::Index> faces_by_source(const Reference_surfac
 // The default: facets where they are at most twice as large as the target is long, for they are what the result is measured
 // against; the MLS surface where they are three times as large, for there they would show; smooth between. Where hardly any
 // facet is that large, the run is one at the input's own length, and the facets rule everywhere; so they do on CAD models,
-// where they are what the design was approximated by, and on wraps of these.
+// where they are what the design was approximated by, on wraps of these, and on stairs of voxels.
 struct Default_surface
 {
   static constexpr double FACET_RATIO = 2, SMOOTH_RATIO = 3;

@@ -28,7 +28,7 @@ namespace internal {
 struct Input_kind
 {
   bool is_cad;                   // the dihedral angles tell a CAD model
-  bool is_faceted;               // so they do, or a wrap of one: its faces are no samples of a smooth surface
+  bool is_faceted;               // so they do, or a wrap of one, or stairs of voxels: its faces are no samples of a smooth surface
   bool searches_features;        // its sharp edges were looked for, and those that were found are constrained
   Remeshing_report::Features features;
   std::size_t feature_edges;
@@ -56,7 +56,7 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
   if (!keeps_surface || parameters.recipe.surface == Recipe::Surface::paper) return kind;
   Feature_detector detector(mesh, (std::max)(target.length, mean_length));
   kind.is_cad = detector.kind().is_cad();
-  kind.is_faceted = kind.is_cad || detector.kind().has_jagged_chamfers();
+  kind.is_faceted = kind.is_cad || detector.kind().has_jagged_chamfers() || detector.kind().has_voxel_stairs();
   kind.saddle_excess = detector.kind().saddle_excess();
   kind.searches_features = parameters.constraint_settings.finds_features;
   if (!kind.searches_features) return kind;
