@@ -68,7 +68,8 @@ The stairs that marching cubes leave around the voxels that are marked in a volu
 least 98% of the edges of such a mesh are the same few vectors, 64 at most, each of them 16 times on the average. Along each of three axes
 that are normal to each other a vector goes by nothing, by half a voxel or by one; by a half along two of them or none, and each pair
 of axes has such vectors. Of the edges of 40 degrees and more 20% are rims of chamfers one face wide, of less than 70 degrees, and at most
-10% are rims of walls that are one face thick: noise has more.
+10% are rims of walls that are one face thick: noise has more. Where the flat parts of such stairs were simplified, what would be a
+CAD model otherwise has 60% of such rims of chamfers, and 7% of edges that turn to and fro, by 15 to 80 degrees.
 
 A coarse model that is no CAD model, as one simplified to some hundred faces, has creases, which short edges must not cut off:
 where edges of 70 degrees and more make up a twentieth of the length of all edges, and the saddles above do not tell noise, those
