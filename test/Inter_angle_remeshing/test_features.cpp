@@ -1273,38 +1273,58 @@ Mesh without_flat_vertices(Mesh m)
   return m;
 }
 
+constexpr double RADIUS = 12.3;
+bool is_in_ball(double x, double y, double z) { return x * x + y * y + z * z < RADIUS * RADIUS; }
+bool is_in_tilted_ring(double x, double y, double z)
+{
+  const double u = .8 * x - .6 * z, w = .6 * x + .8 * z, from_circle = std::hypot(u, y) - .66 * RADIUS;
+  return from_circle * from_circle + w * w < .1 * RADIUS * RADIUS;
+}
+
+// Of what lies within that radius.
+template <class Predicate>
+Mesh segmentation(const Predicate& is_marked, const std::array<double, 3>& voxel = {1, 1, 1})
+{
+  const auto size = [&](int k) { return int(2 * RADIUS / voxel[k]) + 2; };
+  return segmentation({size(0), size(1), size(2)}, voxel, [&](int x, int y, int z) {
+    return is_marked(voxel[0] * x - RADIUS, voxel[1] * y - RADIUS, voxel[2] * z - RADIUS); });
+}
+
+void check_remeshed_stairs(const Mesh& stairs, double factor)
+{
+  Mesh m = stairs;
+  const double length = factor * mean_edge_length(stairs);
+  const auto report = IAR::isotropic_remeshing(length, m);
+  CHECK(report.features == Features::none && report.feature_edges == 0);
+  CHECK_MESSAGE(report.angles_after.minimum > 38 && report.angles_after.maximum < 92,
+                report.angles_after.minimum << " to " << report.angles_after.maximum);
+  CHECK(CGAL::is_valid_polygon_mesh(m) && topology(m) == topology(stairs) && !does_self_intersect(m));
+  const double moved = IAR::surface_distance(stairs, m).hausdorff();
+  CHECK_MESSAGE(moved < .5 * length, moved / length);
+  const double grown = PMP::volume(m) / PMP::volume(stairs);
+  CHECK_MESSAGE(grown > .98 && grown < 1.02, grown);
+}
+
 // The stairs that marching cubes leave around the voxels of a segmentation are not the object's edges.
 void stairs_of_voxels_are_no_features()
 {
-  constexpr double radius = 12.3;
-  const auto is_in_ball = [](double x, double y, double z) { return x * x + y * y + z * z < radius * radius; };
+  std::vector<Mesh> segmentations = {segmentation(is_in_tilted_ring)};
   for(const std::array<double, 3>& voxel : {std::array<double, 3>{1, 1, 1}, {1, 1, 3}, {2, 1, 1}})
+    segmentations.push_back(segmentation(is_in_ball, voxel));
+  for(const Mesh& stairs : segmentations)
   {
-    const auto size = [&](int k) { return int(2 * radius / voxel[k]) + 2; };
-    const Mesh stairs = segmentation({size(0), size(1), size(2)}, voxel, [&](int x, int y, int z) {
-      return is_in_ball(voxel[0] * x - radius, voxel[1] * y - radius, voxel[2] * z - radius); });
     CHECK(CGAL::is_closed(stairs) && PMP::is_outward_oriented(stairs));
     CHECK(std::count_if(stairs.edges_begin(), stairs.edges_end(), [&](Edge e) { return dihedral_angle(e, stairs) > 40; }) > 500);
     CHECK(found_features(stairs).empty());
     for(const double factor : {1., 3.})
-    {
-      Mesh m = stairs;
-      const double length = factor * mean_edge_length(stairs);
-      const auto report = IAR::isotropic_remeshing(length, m);
-      CHECK(report.features == Features::none && report.feature_edges == 0);
-      CHECK_MESSAGE(report.angles_after.minimum > 38 && report.angles_after.maximum < 92,
-                    report.angles_after.minimum << " to " << report.angles_after.maximum);
-      CHECK(CGAL::is_valid_polygon_mesh(m) && topology(m) == topology(stairs) && !does_self_intersect(m));
-      const double moved = IAR::surface_distance(stairs, m).hausdorff();
-      CHECK_MESSAGE(moved < .5 * length, moved / length);
-      const double grown = PMP::volume(m) / PMP::volume(stairs);
-      CHECK_MESSAGE(grown > .98 && grown < 1.02, grown);
-    }
+      check_remeshed_stairs(stairs, factor);
   }
+}
 
-  // However it lies, with coordinates of single precision, and cut open.
-  const Mesh ball = segmentation({26, 26, 26}, {1, 1, 1}, [&](int x, int y, int z) {
-    return is_in_ball(x - radius, y - radius, z - radius); });
+// However they lie, with coordinates of single precision, and cut open.
+void turned_stairs_are_no_features()
+{
+  const Mesh ball = segmentation(is_in_ball);
   Mesh turned = ball;
   for(const Vertex v : turned.vertices())
   {
@@ -1318,23 +1338,24 @@ void stairs_of_voxels_are_no_features()
       CGAL::Euler::remove_face(turned.halfedge(f), turned);
   turned.collect_garbage();
   CHECK(turned.number_of_faces() > 1000 && !CGAL::is_closed(turned) && found_features(turned).empty());
+}
 
-  // So it is where the flat parts of the stairs were simplified.
-  const Mesh simplified = without_flat_vertices(ball);
-  CHECK(CGAL::is_valid_polygon_mesh(simplified) && 10 * simplified.number_of_faces() < 9 * ball.number_of_faces());
-  CHECK(std::abs(PMP::volume(simplified) / PMP::volume(ball) - 1) < 1e-6 && found_features(simplified).empty());
-  for(const double factor : {.5, 1.})
+// So it is where their flat parts were simplified, if the object is not just some voxels thick.
+void simplified_stairs_are_no_features()
+{
+  for(const Mesh& stairs : {segmentation(is_in_ball), segmentation(is_in_tilted_ring, {.5, .5, .5})})
   {
-    Mesh m = simplified;
-    const double length = factor * mean_edge_length(simplified);
-    const auto report = IAR::isotropic_remeshing(length, m);
-    CHECK_MESSAGE(report.angles_after.minimum > 38 && report.angles_after.maximum < 92,
-                  report.angles_after.minimum << " to " << report.angles_after.maximum);
-    const double moved = IAR::surface_distance(simplified, m).hausdorff();
-    CHECK_MESSAGE(moved < .5 * length, moved / length);
+    const Mesh simplified = without_flat_vertices(stairs);
+    CHECK(CGAL::is_valid_polygon_mesh(simplified) && 10 * simplified.number_of_faces() < 9 * stairs.number_of_faces());
+    CHECK(std::abs(PMP::volume(simplified) / PMP::volume(stairs) - 1) < 1e-6 && found_features(simplified).empty());
+    for(const double factor : {.5, 1.})
+      check_remeshed_stairs(simplified, factor);
   }
+}
 
-  // Voxels themselves, and bars that are as regular, were designed. Noise is too thin to do without its edges.
+// Voxels themselves, and bars that are as regular, were designed. Noise is too thin to do without its edges.
+void what_resembles_stairs_keeps_its_edges()
+{
   CHECK(!found_features(meshes::to_mesh<Mesh>(meshes::voxels(6, [&](const std::array<int, 3>& c) {
     return is_in_ball(2 * c[0], 2 * c[1], 2 * c[2]); }))).empty());
   const int rows = 30;
@@ -1344,8 +1365,8 @@ void stairs_of_voxels_are_no_features()
   for(char& c : is_noise)
     c = random() % 2 == 0;
   const Mesh speckled = segmentation({26, 26, 26}, {1, 1, 1}, [&](int x, int y, int z) {
-    const double r = std::hypot(x - radius, y - radius, z - radius);
-    return r < radius - 4 || (r < radius - 1 && is_noise[26 * (26 * x + y) + z]); });
+    const double r = std::hypot(x - RADIUS, y - RADIUS, z - RADIUS);
+    return r < RADIUS - 4 || (r < RADIUS - 1 && is_noise[26 * (26 * x + y) + z]); });
   CHECK(!found_features(speckled).empty());
 }
 
@@ -1755,6 +1776,9 @@ int main()
   fillets_narrower_than_the_target_are_features();
   a_relief_too_fine_for_the_target_is_no_feature();
   stairs_of_voxels_are_no_features();
+  turned_stairs_are_no_features();
+  simplified_stairs_are_no_features();
+  what_resembles_stairs_keeps_its_edges();
   one_rim_of_a_jagged_chamfer_is_a_feature();
   grading_mends_jagged_borders();
   round_rims_are_coarsened();

@@ -80,6 +80,7 @@ private:
   template <class Predicate>
   double part(const Predicate& predicate) const
   {
+    if (sharp_edges_.empty()) return 0;
     return double(std::count_if(sharp_edges_.begin(), sharp_edges_.end(), predicate)) / double(sharp_edges_.size());
   }
 

@@ -115,6 +115,18 @@ Remeshing_report untouched_report(const Remeshing_mesh& mesh, double target)
   return report;
 }
 
+// The user's mesh becomes the result, its marks and attributes with it.
+template <class Exchange, class TriangleMesh, class Parameters, class Patches, class Attributes>
+void write_result(Exchange& exchange, const Remeshing_mesh& mesh, TriangleMesh& tmesh, const Parameters& parameters,
+                  const Patches& patches, Attributes& attributes)
+{
+  std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> forgotten;
+  exchange.write(mesh, [&](const auto& edge) { forget_constraint(parameters.edge_is_constrained_map, edge, forgotten); },
+                 [&]() { remember_constraints(parameters.edge_is_constrained_map, forgotten); });
+  write_constraints(exchange, mesh, tmesh, parameters.edge_is_constrained_map, parameters.face_patch_map, patches);
+  if (attributes.are_carried()) attributes.write(mesh);
+}
+
 template <class ConcurrencyTag, class FaceRange, class Length, class TriangleMesh, class Parameters>
 Remeshing_report remesh_range(const FaceRange& range, const Length& length, TriangleMesh& tmesh,
                               Parameters& parameters)
@@ -171,12 +183,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
 
   report.features = kind.features;
   report.feature_edges = kind.feature_edges;
-  if (!is_to_be_written) return report;
-  std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> forgotten;
-  exchange.write(mesh, [&](const auto& edge) { forget_constraint(parameters.edge_is_constrained_map, edge, forgotten); },
-                 [&]() { remember_constraints(parameters.edge_is_constrained_map, forgotten); });
-  write_constraints(exchange, mesh, tmesh, parameters.edge_is_constrained_map, parameters.face_patch_map, patches);
-  if (attributes.are_carried()) attributes.write(mesh);
+  if (is_to_be_written) write_result(exchange, mesh, tmesh, parameters, patches, attributes);
   return report;
 }
 

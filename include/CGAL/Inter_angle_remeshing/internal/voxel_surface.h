@@ -60,7 +60,8 @@ private:
   // Leaves no vector where there are too many.
   void read(const Remeshing_mesh& mesh, double tolerance)
   {
-    std::size_t others = 0, most_others = std::size_t(OTHERS * 1.5 * double(mesh.number_of_live_faces()));
+    const std::size_t most_others = std::size_t(OTHERS * 1.5 * double(mesh.number_of_live_faces()));     // of three edges for two faces
+    std::size_t others = 0;
     mesh.for_each_edge([&](Index h) {
       ++edges_;
       if (others > most_others) return;
