@@ -1375,7 +1375,7 @@ void what_resembles_stairs_keeps_its_edges()
 void one_rim_of_a_jagged_chamfer_is_a_feature()
 {
   std::size_t one = 0, both = 0, needles_of_one = 0, needles_of_both = 0;
-  for(const char* name : {"part", "spool", "couplingdown"})
+  for(const char* name : {"spool", "part", "pinion"})
   {
     const Mesh wrap = wrap_of(name);
     const double length = 2 * mean_edge_length(wrap);
