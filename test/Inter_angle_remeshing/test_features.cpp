@@ -1180,24 +1180,33 @@ void round_rims_are_coarsened()
     }
 }
 
-// Remeshed coarsely, round parts have large dihedral angles as well; the sharp edges are still known by the network they form.
+double length_of_features(const Mesh& m)
+{
+  double sum = 0;
+  for(const Edge& e : found_features(m))
+    sum += PMP::edge_length(m.halfedge(e), m);
+  return sum;
+}
+
+// Remeshed coarsely, round parts have large dihedral angles as well; the sharp edges are still known by the network they form. Where
+// edges are long beside the details, chains turn to and fro; but the faces between them are not flat, as on alpha wraps.
 void coarse_results_are_still_cad_models()
 {
-  for(const char* name : {"joint", "anchor"})
+  for(const char* name : {"joint", "anchor", "oblong", "couplingdown", "turbine"})
   {
     const Mesh input = read(name);
     const double length = mean_edge_length(input);
     Mesh m = input;
     IAR::isotropic_remeshing(length, m);
     m.collect_garbage();
-    const std::size_t features = found_features(m).size();
-    for(int again = 0; again < 3; ++again)
+    const double features = length_of_features(m);
+    for(int again = 0; again < 4; ++again)
     {
       const auto report = IAR::isotropic_remeshing(length, m);
       m.collect_garbage();
-      CHECK_MESSAGE(report.features == Features::all_sharp_edges, name);
+      CHECK_MESSAGE(report.features == Features::all_sharp_edges, name << ", " << again);
     }
-    CHECK_MESSAGE(10 * found_features(m).size() >= 9 * features, name << ": " << found_features(m).size() << " of " << features);
+    CHECK_MESSAGE(length_of_features(m) > .9 * features, name << ": " << length_of_features(m) << " of " << features);
     const double distance = IAR::surface_distance(input, m).hausdorff();
     CHECK_MESSAGE(distance < .6 * length, name << ": " << distance / length);
   }

@@ -60,9 +60,11 @@ strip only the sharper one.
 
 Alpha wraps of parts have jagged chamfers instead of sharp edges. No edge of theirs is longer than 3.5 mean edge lengths;
 15% of the edges of 40 degrees and more are rims of chamfers one face wide, of less than 70 degrees; 0.2% turn to and fro, by 15 to
-80 degrees; and at most 30% are rims of walls that are one face thick. Of these, taken for CAD models otherwise, the edges
-that stand out of the filtered normals are features in chains of four lengths for each free end and components of
-eight; one side of a chamfer then, as a rule.
+80 degrees; and at most 30% are rims of walls that are one face thick. So it may be with a part that has been remeshed to edges as
+long as its details are wide; but fewer than 2% turn to and fro there, fewer than 100 of the vertices, or 3.5%, are the saddles
+above, and the faces are better: on a wrap, a quarter of the rims of chamfers are those of a face less than 0.39 of its longest edge high.
+Of wraps, taken for CAD models otherwise, the edges that stand out of the filtered normals are features in chains of four lengths for each free
+end and components of eight; one side of a chamfer then, as a rule.
 
 The stairs that marching cubes leave around the voxels that are marked in a volume are no features, nor is anything beside them. At
 least 98% of the edges of such a mesh are the same few vectors, 64 at most, each of them 16 times on the average. Along each of three axes

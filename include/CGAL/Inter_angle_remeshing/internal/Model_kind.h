@@ -131,7 +131,8 @@ private:
               ((are_few_mild(of_sharp) && are_few_mild(of_long)) || !are_of_noise());
     const Jagged_chamfers chamfers(normals_, candidates);
     has_voxel_stairs_ = are_stairs(chamfers);
-    has_jagged_chamfers_ = is_cad_ && !has_voxel_stairs_ && chamfers.are_there(own_length_);
+    has_jagged_chamfers_ = is_cad_ && !has_voxel_stairs_ && chamfers.are_there(own_length_) &&
+                           (saddle_excess() > 0 || !chamfers.may_be_remeshed());
     is_cad_ = is_cad_ && !has_voxel_stairs_ && !has_jagged_chamfers_;
     if (is_cad_ || has_voxel_stairs_) return;
     creases_ = sharp_edges(CREASE_ANGLE);

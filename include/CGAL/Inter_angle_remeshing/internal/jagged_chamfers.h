@@ -20,7 +20,8 @@ namespace Inter_angle_remeshing {
 namespace internal {
 
 // Such a mesh is even. Many of its sharp edges are rims of chamfers one face wide, and some of their chains turn to and fro, which
-// designed ones do not. Where most of the chamfers are the rims of thin walls, each of their edges counts, jagged or not.
+// designed ones do not. Where most of the chamfers are the rims of thin walls, each of their edges counts, jagged or not. What has been
+// remeshed is as even, and a bit jagged where its edges are long beside its details; but its chamfers have no flat faces any more.
 class Jagged_chamfers
 {
   using Index = Remeshing_mesh::Index;
@@ -29,7 +30,9 @@ class Jagged_chamfers
   static constexpr double STEEPEST_RIM = 70;                       // of a chamfer, in degrees
   static constexpr double LEAST_TURN = 15, GREATEST_TURN = 80;     // to and fro, in degrees
   // Parts of the sharp edges.
-  static constexpr double LEAST_CHAMFERS = 0.15, LEAST_JAGGED = 0.002, MOST_WALLS = 0.3;
+  static constexpr double LEAST_CHAMFERS = 0.15, LEAST_JAGGED = 0.002, MANY_JAGGED = 0.02, MOST_WALLS = 0.3;
+  // This part of the rims of chamfers has a flat face beside it, whose least altitude is less than this part of its longest edge.
+  static constexpr double LEAST_FLAT = 0.25, FLAT = 0.39;
 
 public:
   // `sharp_edges` has one half-edge of each.
@@ -51,6 +54,13 @@ public:
   bool are_there(double mean_length) const
   {
     return is_even(mean_length) && chamfer_share() >= LEAST_CHAMFERS && jagged_share() >= LEAST_JAGGED && wall_share() <= MOST_WALLS;
+  }
+
+  // Whether they may be those of a part that has been remeshed: hardly jagged, and few of their faces flat.
+  bool may_be_remeshed() const
+  {
+    const auto is_rim_of_flat_one = [&](Index h) { return is_rim_of_chamfer(h) && (is_flat(h) || is_flat(mesh_.opposite(h))); };
+    return jagged_share() < MANY_JAGGED && part(is_rim_of_flat_one) < LEAST_FLAT * chamfer_share();
   }
 
 private:
@@ -86,6 +96,15 @@ private:
 
   // Whether the face of h is a strip between its edge and other sharp edges.
   bool is_strip(Index h) const { return h >= 0 && chains_[mesh_.apex(h)].edges > 0; }
+
+  // Whether the face of h is a strip, and flat.
+  bool is_flat(Index h) const
+  {
+    if (!is_strip(h)) return false;
+    const double longest = (std::max)({mesh_.squared_edge_length(h), mesh_.squared_edge_length(mesh_.next(h)),
+                                       mesh_.squared_edge_length(mesh_.prev(h))});
+    return normals_.doubled_area(h >> 2) < FLAT * longest;
+  }
 
   bool is_rim_of_chamfer(Index h) const
   {
