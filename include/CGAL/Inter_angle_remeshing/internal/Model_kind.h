@@ -105,39 +105,65 @@ private:
 
   void look_at_edges()
   {
-    const double sharp = cosine_of_degrees(CAD_ANGLE), mild = cosine_of_degrees(MILD_ANGLE), flat = cosine_of_degrees(FLAT_ANGLE),
-                 least = cosine_of_degrees(LEAST_ANGLE);
-    double of_all = 0, of_sharp = 0, of_mild = 0, of_facets = 0, of_creases = 0;
-    std::size_t flat_edges = 0, edges = 0;
-    for_each_inner_edge([&](Index h) {
-      const double c = normals_.cosine(h), l = std::sqrt(mesh_.squared_edge_length(h));
-      ++edges;
-      of_all += l;
-      flat_edges += c > flat;
-      if (c <= least) sharp_edges_.push_back(h);
-      if (c > mild) return;
-      (c <= sharp ? of_sharp : of_mild) += l;
-      if (c > sharp && is_in_polygon(h) && is_in_polygon(mesh_.opposite(h))) of_facets += l;
-    });
+    const Lengths lengths = measure_edges();
     const std::vector<Index> candidates = sharp_edges(CAD_ANGLE);
-    const double of_long = length_in_long_components(candidates);
     count_saddles(candidates);
-    const auto are_few_mild = [&](double length) { return of_mild - of_facets < 0.2 * length; };
-    const auto is_cad_with = [&](double length) {
-      return of_mild < 0.5 * length || (of_mild < 1.1 * length && 2 * flat_edges > edges) || are_few_mild(length);
-    };
-    const auto form_network = [&]() { return Feature_graph(mesh_, own_length_, candidates).is_network(); };
-    is_cad_ = ((is_cad_with(of_sharp) && is_cad_with(of_long)) || (of_mild < MOST_MILD * of_long && form_network())) &&
-              ((are_few_mild(of_sharp) && are_few_mild(of_long)) || !are_of_noise());
+    is_cad_ = looks_designed(lengths, candidates);
     const Jagged_chamfers chamfers(normals_, candidates);
     has_voxel_stairs_ = are_stairs(chamfers);
     has_jagged_chamfers_ = is_cad_ && !has_voxel_stairs_ && chamfers.are_there(own_length_) &&
                            (saddle_excess() > 0 || !chamfers.may_be_remeshed());
     is_cad_ = is_cad_ && !has_voxel_stairs_ && !has_jagged_chamfers_;
-    if (is_cad_ || has_voxel_stairs_) return;
+    if (!is_cad_ && !has_voxel_stairs_) find_creases(lengths.all);
+  }
+
+  // The lengths of all edges, of sharp ones, of those in between, and of these where they are between facets.
+  struct Lengths
+  {
+    double all = 0, sharp = 0, mild = 0, facets = 0;
+    bool are_mostly_flat = false;        // more than half of the edges, by number
+  };
+
+  // Notes the sharp edges, too.
+  Lengths measure_edges()
+  {
+    const double sharp = cosine_of_degrees(CAD_ANGLE), mild = cosine_of_degrees(MILD_ANGLE), flat = cosine_of_degrees(FLAT_ANGLE),
+                 least = cosine_of_degrees(LEAST_ANGLE);
+    Lengths result;
+    std::size_t flat_edges = 0, edges = 0;
+    for_each_inner_edge([&](Index h) {
+      const double c = normals_.cosine(h), l = std::sqrt(mesh_.squared_edge_length(h));
+      ++edges;
+      result.all += l;
+      flat_edges += c > flat;
+      if (c <= least) sharp_edges_.push_back(h);
+      if (c > mild) return;
+      (c <= sharp ? result.sharp : result.mild) += l;
+      if (c > sharp && is_in_polygon(h) && is_in_polygon(mesh_.opposite(h))) result.facets += l;
+    });
+    result.are_mostly_flat = 2 * flat_edges > edges;
+    return result;
+  }
+
+  // Whether the dihedral angles are those of a CAD model, whatever its sharp edges look like.
+  bool looks_designed(const Lengths& lengths, const std::vector<Index>& candidates) const
+  {
+    const double of_long = length_in_long_components(candidates);
+    const auto are_few_mild = [&](double length) { return lengths.mild - lengths.facets < 0.2 * length; };
+    const auto is_cad_with = [&](double length) {
+      return lengths.mild < 0.5 * length || (lengths.mild < 1.1 * length && lengths.are_mostly_flat) || are_few_mild(length);
+    };
+    const auto form_network = [&]() { return Feature_graph(mesh_, own_length_, candidates).is_network(); };
+    return ((is_cad_with(lengths.sharp) && is_cad_with(of_long)) || (lengths.mild < MOST_MILD * of_long && form_network())) &&
+           ((are_few_mild(lengths.sharp) && are_few_mild(of_long)) || !are_of_noise());
+  }
+
+  void find_creases(double length_of_all)
+  {
     creases_ = sharp_edges(CREASE_ANGLE);
-    for (const Index h : creases_) of_creases += std::sqrt(mesh_.squared_edge_length(h));
-    if (of_creases < CREASE_SHARE * of_all || are_of_noise()) creases_.clear();
+    double length = 0;
+    for (const Index h : creases_) length += std::sqrt(mesh_.squared_edge_length(h));
+    if (length < CREASE_SHARE * length_of_all || are_of_noise()) creases_.clear();
   }
 
   bool are_stairs(const Jagged_chamfers& chamfers) const
