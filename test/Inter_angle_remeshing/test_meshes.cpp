@@ -969,6 +969,7 @@ struct Random_case
     recipe.repair = dice.chance(.8);
     recipe.distance_tolerance = dice.one_of({0., .1, .22, .5});
     recipe.fits = unsigned(dice.below(3));
+    recipe.fit_tangential_weight = dice.one_of({.3, .3, .03, 1.});
   }
 
   // A copy of this, remeshed.

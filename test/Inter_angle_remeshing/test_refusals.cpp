@@ -264,6 +264,10 @@ void recipes_out_of_range_are_refused()
   check("grading", &IAR::Recipe::grading, -.1, true);
   check("grading", &IAR::Recipe::grading, NOT_A_NUMBER, true);
   check("grading", &IAR::Recipe::grading, 0., false);
+  for(const double bad : {0., -.1, 1.01, NOT_A_NUMBER, INFINITE})
+    check("fit_tangential_weight", &IAR::Recipe::fit_tangential_weight, bad, true);
+  for(const double good : {1e-9, 1.})
+    check("fit_tangential_weight", &IAR::Recipe::fit_tangential_weight, good, false);
   for(const double bad : {-.01, 1.01, NOT_A_NUMBER})
     check("fillet_width", &IAR::Recipe::fillet_width, bad, true);
   check("fillet_width", &IAR::Recipe::fillet_width, 0., false);

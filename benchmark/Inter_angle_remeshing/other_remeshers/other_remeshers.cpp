@@ -116,6 +116,12 @@ std::vector<Remesher> all_remeshers()
     const IAR::Closest_point_projector<Mesh> facets(input);
     IAR::isotropic_remeshing(length, mesh, parameters::projection_functor(std::cref(facets)));
   })});
+  all.push_back({"... by Recipe::closest()", Size::length, on_surface_mesh([](Mesh& mesh, double length) {
+    const Mesh input = mesh;
+    const IAR::Closest_point_projector<Mesh> facets(input);
+    IAR::isotropic_remeshing(faces(mesh), length, mesh,
+                             IAR::recipe(IAR::Recipe::closest(), parameters::projection_functor(std::cref(facets))));
+  })});
   all.push_back({"CGAL, isotropic_remeshing", Size::length, on_surface_mesh([](Mesh& mesh, double length) {
     PMP::isotropic_remeshing(faces(mesh), length, mesh, parameters::number_of_iterations(10));
   })});

@@ -18,7 +18,7 @@ namespace Inter_angle_remeshing {
 @brief everything about a remeshing run that `CGAL::Polygon_mesh_processing::isotropic_remeshing()` has no named
 parameter for.
 
-A value type: take the default, or `Recipe::paper()`, change members, and hand it over by `recipe()`. The default
+A value type: take the default, `Recipe::closest()` or `Recipe::paper()`, change members, and hand it over by `recipe()`. The default
 values are those that were measured best, see the ablation tables of the benchmark.
 */
 struct Recipe
@@ -105,6 +105,9 @@ struct Recipe
   /// than twice the faces of the result, two more are made, which gain two. Vertices on the border and on features stay. 0 leaves
   /// every vertex on the surface, as does a projection functor that is none of this package's.
   unsigned fits = 1;
+  /// how strongly the fit holds each vertex at the centre of its neighbors, along the surface, beside the distances that it lowers: the
+  /// weight of the square of that way. Less brings the faces nearer to the surface, at the cost of their angles; in (0, 1].
+  double fit_tangential_weight = 0.3;
   /// the band, in degrees, that the clean-up brings the angles into: its lower bound, in [0, 60). It moves vertices along the
   /// surface first, heading for a band that is narrower by 2 degrees below and 3 above, then see `repair`. Faces that touch
   /// the border or a feature have the band [33, 103] if that is wider. The report tells what is left out of it.
@@ -122,6 +125,16 @@ struct Recipe
   Policies policies = Policies::measured;
   /// which surface the result approximates where the user hands no projector over
   Surface surface = Surface::measured;
+
+  /// nearest to the surface: three fits with a tangential weight of 0.03. The mean distance of organic models is less by 4 to 18%,
+  /// θ<sub>avg</sub> by 0.1 to 2 degrees; the band is the same.
+  static Recipe closest()
+  {
+    Recipe r;
+    r.fits = 3;
+    r.fit_tangential_weight = 0.03;
+    return r;
+  }
 
   /// the rules of Zheng and Lv (ICIG 2025) as printed: all of their split, collapse and flip conditions, λ = 0.5,
   /// area weights, one sweep an iteration, no glides, no clean-up, and moving least squares on the up-sampled input

@@ -41,6 +41,8 @@ inline void check_recipe(const Recipe& recipe)
   check_not_negative(recipe.distance_tolerance, "distance_tolerance");
   check_not_negative(recipe.relief_density, "relief_density");
   check_not_negative(recipe.collapse_tolerance, "collapse_tolerance");
+  if (!(recipe.fit_tangential_weight > 0 && recipe.fit_tangential_weight <= 1))
+    refuse(REMESHING, "Recipe::fit_tangential_weight is " + to_text(recipe.fit_tangential_weight) + "; it must lie in (0, 1]");
   if (!(recipe.fillet_width >= 0 && recipe.fillet_width <= 1))
     refuse(REMESHING, "Recipe::fillet_width is " + to_text(recipe.fillet_width) + "; it must lie in [0, 1]");
   if (!(recipe.merging_distance >= 0 && recipe.merging_distance <= LARGEST_MERGING_DISTANCE))

@@ -24,10 +24,11 @@
 // of the result; with the normal n of the surface, the distance r that a sample is to travel along it, the barycentric
 // coordinates b of the sample on its face and its share w of the area, the displacements x of the vertices minimise
 //
-//   Σ w (n · Σ b_i x_i - r)² + Σ a_i (TANGENTIAL |t_i - c_i|² + NORMAL h_i²),
+//   Σ w (n · Σ b_i x_i - r)² + Σ a_i (μ |t_i - c_i|² + NORMAL h_i²),
 //
 // where t_i and h_i are the parts of x_i in and off the tangent plane, c_i is the tangential way to the centre of the neighbors,
-// and a_i is a third of the star's area. A few steps of conjugate gradients solve that well enough. Vertices on curves stay.
+// a_i is a third of the star's area, and μ is `Recipe::fit_tangential_weight`. A few steps of conjugate gradients solve that well
+// enough. Vertices on curves stay.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -39,7 +40,7 @@ class Surface_fit
   using Index = Remeshing_mesh::Index;
   using Barycentric = std::array<double, 3>;
 
-  static constexpr double TANGENTIAL = 0.3, NORMAL = 0.01;
+  static constexpr double NORMAL = 0.01;
   static constexpr int STEPS = 2;
   // The longest displacement, in target lengths, and how often one that does harm is halved.
   static constexpr double LONGEST = 0.35;
@@ -256,6 +257,7 @@ double Surface_fit<ConcurrencyTag>::set_up(std::size_t i)
   Vector3 normal, centre;
   double area = 0;
   const double length = context_.length_at(v);
+  const double tangential = context_.recipe.fit_tangential_weight;
   Symmetric_matrix own;
   Vector3 right;
   mesh_.for_each_around(v, [&](Index h) {
@@ -269,10 +271,10 @@ double Surface_fit<ConcurrencyTag>::set_up(std::size_t i)
   });
   const Vector3 way = (1. / mesh_.valence(v)) * centre - mesh_.position(v), u = unit_vector(normal);
   flat_normal_[i] = squared_length(right) <= squared(FLAT * length * area) ? u : Vector3();
-  regular_[i] = Symmetric_matrix::axial(TANGENTIAL * area, (NORMAL - TANGENTIAL) * area, u);
+  regular_[i] = Symmetric_matrix::axial(tangential * area, (NORMAL - tangential) * area, u);
   own += regular_[i];
   inverse_[i] = own.inverse();
-  residual_[i] = right + (TANGENTIAL * area) * (way - dot(way, u) * u);
+  residual_[i] = right + (tangential * area) * (way - dot(way, u) * u);
   direction_[i] = preconditioned_[i] = inverse_[i] * residual_[i];
   return dot(residual_[i], preconditioned_[i]);
 }
