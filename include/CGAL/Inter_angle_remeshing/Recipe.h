@@ -126,8 +126,8 @@ struct Recipe
   /// which surface the result approximates where the user hands no projector over
   Surface surface = Surface::measured;
 
-  /// nearest to the surface: three fits with a tangential weight of 0.03. On organic models the mean distance is less by 1 to 18%, mostly
-  /// by 10 to 15, and θ<sub>avg</sub> by 0.1 to 2 degrees; the band is the same.
+  /// nearest to the surface: three fits with a tangential weight of 0.03. On organic models the mean distance is less by 1 to 20%, mostly
+  /// by 10 to 15, and θ<sub>avg</sub> by 0.1 to 3 degrees; the band is the same.
   static Recipe closest()
   {
     Recipe r;
