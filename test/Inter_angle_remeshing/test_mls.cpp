@@ -754,7 +754,7 @@ void the_closest_recipe_comes_nearer_still()
 {
   std::vector<double> ratios;
   for(const auto& [name, factor] : std::vector<std::pair<std::string, double>>{
-        {"elephant", 1}, {"elephant", 2}, {"knot1", 3}, {"mushroom", 1}, {"bear", 1}})
+        {"elephant", 1}, {"elephant", 2}, {"knot1", 3}, {"mushroom", 1}, {"bear", 1}, {"hand", 1}})
   {
     Mesh input;
     CHECK(PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), input));
