@@ -222,73 +222,47 @@ void counts_that_do_not_fit_are_refused()
   check_refused("number_of_iterations", [&](Mesh& g) { IAR::isotropic_remeshing(.3, g, np); });
 }
 
-void recipes_out_of_range_are_refused()
+// Bad values of a member are refused by a message with this text and the value, good ones are not.
+template <class T>
+void check_range_of(const std::string& text, T IAR::Recipe::*member, const std::vector<T>& bad, const std::vector<T>& good)
 {
-  const auto check = [](const std::string& text, auto IAR::Recipe::*member, auto value, bool is_refused)
+  IAR::Recipe r;
+  for(const T value : bad)
   {
-    IAR::Recipe r;
     r.*member = value;
-    if(is_refused)
-    {
-      check_refused(text, [&](Mesh& g) { IAR::isotropic_remeshing(.4, g, IAR::recipe(r)); });
-      check_refused(to_text(value), [&](Mesh& g) { IAR::isotropic_remeshing(.4, g, IAR::recipe(r)); });
-      return;
-    }
+    check_refused(text, [&](Mesh& g) { IAR::isotropic_remeshing(.4, g, IAR::recipe(r)); });
+    check_refused(to_text(value), [&](Mesh& g) { IAR::isotropic_remeshing(.4, g, IAR::recipe(r)); });
+  }
+  for(const T value : good)
+  {
+    r.*member = value;
     Mesh m = to_mesh<Mesh>(sphere(1));
     const Report report = IAR::isotropic_remeshing(.4, m, IAR::recipe(r, parameters::number_of_iterations(1)));
     CHECK_MESSAGE(report.ending == Report::Ending::completed, text << " " << value);
-  };
-  for(const double bad : {0., -1., 1.601, 2., NOT_A_NUMBER, INFINITE})
-    check("relaxation", &IAR::Recipe::relaxation, bad, true);
-  for(const double good : {1e-9, 1., 1.6})
-    check("relaxation", &IAR::Recipe::relaxation, good, false);
-  for(const double bad : {1., 0., -1., 2.01, NOT_A_NUMBER, INFINITE})
-    check("split_ratio", &IAR::Recipe::split_ratio, bad, true);
-  check("split_ratio", &IAR::Recipe::split_ratio, 2., false);
-  for(const double bad : {-.1, 1., 2., NOT_A_NUMBER})
-    check("collapse_ratio", &IAR::Recipe::collapse_ratio, bad, true);
-  check("collapse_ratio", &IAR::Recipe::collapse_ratio, 0., false);
-  check("collapse_ratio", &IAR::Recipe::collapse_ratio, .99, false);
+  }
+}
+
+void recipes_out_of_range_are_refused()
+{
+  using Recipe = IAR::Recipe;
+  check_range_of("relaxation", &Recipe::relaxation, {0., -1., 1.601, 2., NOT_A_NUMBER, INFINITE}, {1e-9, 1., 1.6});
+  check_range_of("split_ratio", &Recipe::split_ratio, {1., 0., -1., 2.01, NOT_A_NUMBER, INFINITE}, {2.});
+  check_range_of("collapse_ratio", &Recipe::collapse_ratio, {-.1, 1., 2., NOT_A_NUMBER}, {0., .99});
   // together: a new edge must not be too short again
-  IAR::Recipe narrow;
+  Recipe narrow;
   narrow.split_ratio = 1.05;
   narrow.collapse_ratio = .9;
   check_refused("collapse_ratio", [&](Mesh& g) { IAR::isotropic_remeshing(.4, g, IAR::recipe(narrow)); });
-  check("glide_depth", &IAR::Recipe::glide_depth, 17u, true);
-  check("glide_depth", &IAR::Recipe::glide_depth, 1000000u, true);
-  check("glide_depth", &IAR::Recipe::glide_depth, 16u, false);
-  check("glide_depth", &IAR::Recipe::glide_depth, 0u, false);
-  check("collapse_tolerance", &IAR::Recipe::collapse_tolerance, -.1, true);
-  check("collapse_tolerance", &IAR::Recipe::collapse_tolerance, NOT_A_NUMBER, true);
-  check("collapse_tolerance", &IAR::Recipe::collapse_tolerance, 0., false);
-  check("grading", &IAR::Recipe::grading, -.1, true);
-  check("grading", &IAR::Recipe::grading, NOT_A_NUMBER, true);
-  check("grading", &IAR::Recipe::grading, 0., false);
-  for(const double bad : {0., -.1, 1.01, NOT_A_NUMBER, INFINITE})
-    check("fit_tangential_weight", &IAR::Recipe::fit_tangential_weight, bad, true);
-  for(const double good : {1e-9, 1.})
-    check("fit_tangential_weight", &IAR::Recipe::fit_tangential_weight, good, false);
-  for(const double bad : {-.01, 1.01, NOT_A_NUMBER})
-    check("fillet_width", &IAR::Recipe::fillet_width, bad, true);
-  check("fillet_width", &IAR::Recipe::fillet_width, 0., false);
-  check("fillet_width", &IAR::Recipe::fillet_width, 1., false);
-  for(const double bad : {-1., NOT_A_NUMBER})
-    check("relief_density", &IAR::Recipe::relief_density, bad, true);
-  for(const double good : {0., 1., INFINITE})
-    check("relief_density", &IAR::Recipe::relief_density, good, false);
-  for(const double bad : {-.01, .11, NOT_A_NUMBER})
-    check("merging_distance", &IAR::Recipe::merging_distance, bad, true);
-  check("merging_distance", &IAR::Recipe::merging_distance, 0., false);
-  check("merging_distance", &IAR::Recipe::merging_distance, .1, false);
-  check("distance_tolerance", &IAR::Recipe::distance_tolerance, -.1, true);
-  check("distance_tolerance", &IAR::Recipe::distance_tolerance, NOT_A_NUMBER, true);
-  check("distance_tolerance", &IAR::Recipe::distance_tolerance, 0., false);
-  for(const double bad : {-1., 60., 61., NOT_A_NUMBER})
-    check("Recipe::lower_angle", &IAR::Recipe::lower_angle, bad, true);
-  for(const double bad : {59., 60., 181., NOT_A_NUMBER})
-    check("Recipe::upper_angle", &IAR::Recipe::upper_angle, bad, true);
-  check("Recipe::lower_angle", &IAR::Recipe::lower_angle, 0., false);
-  check("Recipe::upper_angle", &IAR::Recipe::upper_angle, 180., false);
+  check_range_of("glide_depth", &Recipe::glide_depth, {17u, 1000000u}, {16u, 0u});
+  check_range_of("collapse_tolerance", &Recipe::collapse_tolerance, {-.1, NOT_A_NUMBER}, {0.});
+  check_range_of("grading", &Recipe::grading, {-.1, NOT_A_NUMBER}, {0.});
+  check_range_of("fit_tangential_weight", &Recipe::fit_tangential_weight, {0., -.1, 1.01, NOT_A_NUMBER, INFINITE}, {1e-9, 1.});
+  check_range_of("fillet_width", &Recipe::fillet_width, {-.01, 1.01, NOT_A_NUMBER}, {0., 1.});
+  check_range_of("relief_density", &Recipe::relief_density, {-1., NOT_A_NUMBER}, {0., 1., INFINITE});
+  check_range_of("merging_distance", &Recipe::merging_distance, {-.01, .11, NOT_A_NUMBER}, {0., .1});
+  check_range_of("distance_tolerance", &Recipe::distance_tolerance, {-.1, NOT_A_NUMBER}, {0.});
+  check_range_of("Recipe::lower_angle", &Recipe::lower_angle, {-1., 60., 61., NOT_A_NUMBER}, {0.});
+  check_range_of("Recipe::upper_angle", &Recipe::upper_angle, {59., 60., 181., NOT_A_NUMBER}, {180.});
 }
 
 // A cone with `n` faces.

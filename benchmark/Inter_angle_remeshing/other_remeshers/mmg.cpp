@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <vector>
 
+namespace { constexpr double TOLERANCE = 0.1; }       // in target lengths
+
 Timed_soup remesh_by_mmg(const Triangle_soup& input, double length)
 {
   MMG5_pMesh mesh = nullptr;
@@ -28,7 +30,7 @@ Timed_soup remesh_by_mmg(const Triangle_soup& input, double length)
   }
   check(MMGS_Set_iparameter(mesh, metric, MMGS_IPARAM_verbose, -1));
   check(MMGS_Set_dparameter(mesh, metric, MMGS_DPARAM_hsiz, length));
-  check(MMGS_Set_dparameter(mesh, metric, MMGS_DPARAM_hausd, length / 10));
+  check(MMGS_Set_dparameter(mesh, metric, MMGS_DPARAM_hausd, TOLERANCE * length));
 
   Timed_soup result;
   CGAL::Real_timer timer;

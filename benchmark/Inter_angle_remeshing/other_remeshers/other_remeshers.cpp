@@ -153,7 +153,7 @@ std::vector<Remesher> all_remeshers()
   return all;
 }
 
-// What is asked for, and what comes of it.
+// Angles in degrees, regular vertices and distances in percent.
 struct Score
 {
   static constexpr const char* HEAD = "faces | θ_min | θ_max | θ_avg | valence 6 | Md | Hd | crossings | s";
@@ -234,6 +234,10 @@ int main(int argc, char** argv)
   for (int k = 1; k < argc; ++k) {
     if (std::string(argv[k]) == "-f" && k + 1 < argc) wanted = std::size_t(std::atol(argv[++k]));
     else paths.push_back(argv[k]);
+  }
+  if (wanted == 0) {
+    std::fprintf(stderr, "other_remeshers: the number of faces must be positive\n");
+    return EXIT_FAILURE;
   }
   if (paths.empty())
     for (const char* name : {"elephant", "armadillo", "bunny00", "dino", "camel", "lion-head"})
