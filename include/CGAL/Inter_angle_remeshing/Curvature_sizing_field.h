@@ -108,8 +108,7 @@ public:
       for (Index h = 0; h < 4 * Index(copy.faces.size()); ++h)
         if (copy.mesh.corner(h) < 3 && get(ecm, edge(copy.halfedge(h), tmesh))) internal::mark_feature(copy.mesh, h);
     } else {
-      for (const Index h : internal::Feature_detector(copy.mesh, internal::mean_edge_length(copy.mesh)).features())
-        internal::mark_feature(copy.mesh, h);
+      for (const Index h : internal::find_features(copy.mesh)) internal::mark_feature(copy.mesh, h);
     }
     const std::vector<double> lengths = internal::curvature_lengths(copy.mesh, tolerance, length_range, gradation);
     auto table = std::make_shared<Table>(copy.vertices.size());

@@ -20,7 +20,10 @@ does both.
 #endif
 
 #include <CGAL/Inter_angle_remeshing/internal/Remesher.h>
+#include <CGAL/Inter_angle_remeshing/internal/feature_detection_impl.h>
+#include <CGAL/Inter_angle_remeshing/internal/input_kind_impl.h>
 #include <CGAL/Inter_angle_remeshing/internal/paper_surface_impl.h>
+#include <CGAL/Inter_angle_remeshing/internal/settle_corners_impl.h>
 
 #include <CGAL/tags.h>
 

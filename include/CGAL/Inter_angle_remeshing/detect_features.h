@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_DETECT_FEATURES_H
 
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
+#include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
 #include <CGAL/Inter_angle_remeshing/internal/feature_detection.h>
 #include <CGAL/Inter_angle_remeshing/internal/flat_copy.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
@@ -16,7 +17,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -147,10 +147,10 @@ std::size_t detect_features(const FaceRange& faces, const TriangleMesh& tmesh, E
   const auto copy = internal::Flat_copy_builder<TriangleMesh, Vpm>(tmesh, vpm, CALLER).build(faces);
   for (Index h = 0; h < 4 * Index(copy.faces.size()); ++h)
     if (copy.mesh.corner(h) < 3) put(edge_is_feature, edge(copy.halfedge(h), tmesh), false);
-  const double mean_length = internal::mean_edge_length(copy.mesh), length = scale > 0 ? scale / copy.mesh.unit() : mean_length;
-  const std::vector<Index> features = internal::Feature_detector(copy.mesh, (std::max)(length, mean_length)).features_for(
-    [&](Index) { return length; }, scale > 0 ? Recipe().fillet_width : 0.,
-    scale > 0 ? Recipe().relief_density : std::numeric_limits<double>::infinity()).edges;
+  const double length = scale > 0 ? scale / copy.mesh.unit() : internal::mean_edge_length(copy.mesh);
+  const std::vector<Index> features = internal::find_features(
+    copy.mesh, length, scale > 0 ? Recipe().fillet_width : 0.,
+    scale > 0 ? Recipe().relief_density : std::numeric_limits<double>::infinity());
   for (const Index h : features) put(edge_is_feature, edge(copy.halfedge(h), tmesh), true);
   return features.size();
 }

@@ -5,179 +5,30 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURE_DETECTION_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURE_DETECTION_H
 
-#include <CGAL/Inter_angle_remeshing/internal/Face_normals.h>
-#include <CGAL/Inter_angle_remeshing/internal/Feature_graph.h>
-#include <CGAL/Inter_angle_remeshing/internal/Model_kind.h>
-#include <CGAL/Inter_angle_remeshing/internal/Outstanding_edges.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
-#include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
-#include <CGAL/Inter_angle_remeshing/internal/fine_relief.h>
-#include <CGAL/Inter_angle_remeshing/internal/planar_rims.h>
-#include <CGAL/Inter_angle_remeshing/internal/rounded_edges.h>
+#include <CGAL/Inter_angle_remeshing/internal/compiled.h>
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <utility>
 #include <vector>
-
-// Which edges of a mesh are sharp, with nothing known but the mesh. On a CAD model, which shows in its dihedral angles,
-// every edge of 40 degrees and more is. Elsewhere the normals are filtered first; what then stands out of its surroundings
-// and continues for some length is a feature, and so are the rims of planar parts, creases of coarse models, and fillets.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// The features of a run: one half-edge of each, sorted; among them those of fillets.
-struct Found_features
-{
-  std::vector<Remeshing_mesh::Index> edges;
-  Rounded_edges rounded;
-};
+// One half-edge of each feature of a mesh, sorted: at the scale of its own edges.
+CGAL_INTER_ANGLE_REMESHING_INLINE
+std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh);
 
-class Feature_detector
-{
-public:
-  using Index = Remeshing_mesh::Index;
-
-  // Features shorter than a few times `length`, or than a few edges of the mesh, are none: of those that the mesh has on its own, a
-  // greater length leaves some.
-  Feature_detector(const Remeshing_mesh& mesh, double length)
-    : mesh_(mesh), length_(length), own_length_(mean_edge_length(mesh)), normals_(mesh), kind_(normals_, own_length_)
-  {}
-
-  Feature_detector(const Feature_detector&) = delete;     // `kind_` refers to `normals_`
-  Feature_detector& operator=(const Feature_detector&) = delete;
-
-  const Model_kind& kind() const { return kind_; }
-
-  // One half-edge of each feature.
-  std::vector<Index> features()
-  {
-    if (kind_.has_voxel_stairs()) return {};
-    if (kind_.is_cad()) return without_narrow_strips(kind_.sharp_edges(Model_kind::CAD_ANGLE));
-    const std::vector<Index> rims = planar_rims(normals_, own_length_, kind_.sharp_edges());
-    Outstanding_edges outstanding(normals_, own_length_, kind_.sharp_edges());
-    if (outstanding.are_none() && rims.empty()) return {};
-    const std::vector<Index> edges = outstanding.find();
-    std::vector<Index> found;
-    std::set_union(edges.begin(), edges.end(), rims.begin(), rims.end(), std::back_inserter(found));
-    found = long_chains(found, long_rims(rims, own_length_), own_length_);
-    return length_ > own_length_ ? long_chains(found, long_rims(rims, length_), length_) : found;
-  }
-
-  // What edges of a target length, which may be another one on every face, `target_length(f)`, would cut off: the same, the creases
-  // of a model that is no CAD model and coarse for the target length, and the fillets of parts, of at most so many target lengths. On
-  // CAD models, without what is a relief of this density.
-  template <class Length>
-  Found_features features_for(const Length& target_length, double fillet_width, double relief_density)
-  {
-    if (kind_.has_voxel_stairs()) return {};
-    const bool is_cad = kind_.is_cad();
-    const bool may_have_fillets = fillet_width > 0 && (is_cad || normals_.planar_share() >= LEAST_PLANAR_SHARE);
-    const std::vector<Vector3> unfiltered = may_have_fillets ? normals_.all() : std::vector<Vector3>();
-    std::vector<double> lengths(mesh_.number_of_face_slots());
-    for (Index f = 0; f < Index(lengths.size()); ++f) lengths[f] = target_length(f);
-    Found_features result;
-    std::vector<Index>& found = result.edges;
-    found = features();
-    for (const Index h : kind_.creases())
-      if (is_coarse(h, lengths[h >> 2]) && is_coarse(mesh_.opposite(h), lengths[mesh_.opposite(h) >> 2]))
-        found.push_back(h);
-    Rounded_edges rounded;
-    if (may_have_fillets) rounded = Rounded_edge_finder(mesh_, unfiltered, found, lengths).find(fillet_width);
-    if (is_cad) drop_fine_relief(found, std::move(lengths), relief_density);       // not before: what goes is no fillet either
-    const std::size_t others = found.size();
-    found.insert(found.end(), rounded.edges.begin(), rounded.edges.end());
-    if (is_cad || rounded.edges.empty() || Feature_graph(mesh_, own_length_, found).is_bent_network())
-      result.rounded = std::move(rounded);
-    else found.resize(others);
-    for (Index& h : found) h = (std::min)(h, mesh_.opposite(h));
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return result;
-  }
-
-private:
-  static constexpr double NARROW = 0.05;                // strip, in lengths
-  static constexpr double LEAST_RIM = 5;                // of a planar part, in lengths
-  // Reliefs are looked for at so many lengths from the target length down, each shorter by this factor: halves leap over the few
-  // lengths that are long beside a thread's height and short beside the screw.
-  static constexpr int RELIEF_SCALES = 9;
-  static constexpr double RELIEF_RATIO = 0.7;
-  // A model is coarse where creases, and the altitudes of the faces over them, have so many target lengths.
-  static constexpr double COARSE = 2;
-  // A part without sharp edges shows in the planar part of its area.
-  static constexpr double LEAST_PLANAR_SHARE = 0.75;
-
-  // Whether the edge of h is long, and its face high over it, beside edges of the target length.
-  bool is_coarse(Index h, double target_length) const
-  {
-    const double l = std::sqrt(mesh_.squared_edge_length(h)), least = COARSE * target_length;
-    return target_length > 0 && l >= least && normals_.doubled_area(h >> 2) >= least * l;
-  }
-
-  // Of these edges, the certain ones, and those that form chains and components that are features at the scale of the length.
-  std::vector<Index> long_chains(const std::vector<Index>& edges, const std::vector<Index>& certain, double length) const
-  {
-    Feature_graph graph(mesh_, length);
-    for (const Index h : edges) graph.add(h, normals_.angle(h), std::binary_search(certain.begin(), certain.end(), h));
-    if (kind_.has_jagged_chamfers()) graph.prune_part();
-    else graph.prune();
-    return graph.edges();
-  }
-
-  // Of the edges of rims, sorted, those that are certain to be features at the scale of the length.
-  std::vector<Index> long_rims(const std::vector<Index>& rims, double length) const
-  {
-    Feature_graph graph(mesh_, length);
-    for (const Index h : rims) graph.add(h, normals_.angle(h));
-    graph.drop_short_components(LEAST_RIM);
-    graph.drop_sides_of_strips(NARROW * length);
-    return graph.edges();
-  }
-
-  // Of these edges, those that are left when no two chains are the sides of a strip too narrow for the length.
-  std::vector<Index> without_narrow_strips(const std::vector<Index>& edges) const
-  {
-    Feature_graph graph(mesh_, length_);
-    for (const Index h : edges) graph.add(h, normals_.angle(h));
-    graph.drop_sides_of_strips(NARROW * length_);
-    return graph.edges();
-  }
-
-  // Takes out what is a relief of this density beside edges of these lengths, by face. What is too fine for a length is too fine for a
-  // longer one, in whose cube a small part may lie as a whole, with normals to all sides.
-  void drop_fine_relief(std::vector<Index>& edges, std::vector<double> lengths, double density) const
-  {
-    if (edges.empty() || std::isinf(density) || !(*std::min_element(lengths.begin(), lengths.end()) > 0)) return;
-    std::vector<double> densities(edges.size(), 0);
-    for (int scale = 0; scale < RELIEF_SCALES; ++scale) {
-      const std::vector<double> found = Fine_relief(mesh_, normals_.all(), lengths).densities(edges);
-      for (std::size_t i = 0; i < edges.size(); ++i) densities[i] = (std::max)(densities[i], found[i]);
-      for (double& l : lengths) l *= RELIEF_RATIO;
-    }
-    if (!(*std::max_element(densities.begin(), densities.end()) > density)) return;
-    Feature_graph graph(mesh_, length_, edges);
-    graph.cut_out(densities, density);
-    edges = graph.edges();
-  }
-
-  const Remeshing_mesh& mesh_;
-  double length_, own_length_;
-  Face_normals normals_;
-  Model_kind kind_;
-};
-
-// The features of a mesh at the scale of its own edges.
-inline std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh)
-{
-  return Feature_detector(mesh, mean_edge_length(mesh)).features();
-}
+// Those that edges of this length would cut off. The other arguments are those of Feature_detector::features_for().
+CGAL_INTER_ANGLE_REMESHING_INLINE
+std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, double length, double fillet_width,
+                                                 double relief_density);
 
 } // namespace internal
 } // namespace Inter_angle_remeshing
 } // namespace CGAL
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_COMPILED
+#  include <CGAL/Inter_angle_remeshing/internal/feature_detection_impl.h>
+#endif
 
 #endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURE_DETECTION_H

@@ -8,14 +8,16 @@
 #include <CGAL/Inter_angle_remeshing/internal/angle_summary.h>
 #include <CGAL/Inter_angle_remeshing/internal/attribute_exchange.h>
 #include <CGAL/Inter_angle_remeshing/internal/check_recipe.h>
-#include <CGAL/Inter_angle_remeshing/internal/close_curve_vertices.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
-#include <CGAL/Inter_angle_remeshing/internal/corners.h>
+#include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
 #include <CGAL/Inter_angle_remeshing/internal/input_kind.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh_exchange.h>
+#include <CGAL/Inter_angle_remeshing/internal/projector_traits.h>
+#include <CGAL/Inter_angle_remeshing/internal/referred.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 #include <CGAL/Inter_angle_remeshing/internal/run_passes.h>
 #include <CGAL/Inter_angle_remeshing/internal/run_with_projector.h>
+#include <CGAL/Inter_angle_remeshing/internal/settle_corners.h>
 #include <CGAL/Inter_angle_remeshing/internal/space_filling_order.h>
 #include <CGAL/Inter_angle_remeshing/internal/target_of_run.h>
 
@@ -72,6 +74,14 @@ auto read_patches(const PatchMap& fpm, const Faces& faces)
   }
 }
 
+// Whether the run keeps to the surface of the input: without a functor of the user's, or with a projector that has such a surface.
+template <class Parameters>
+constexpr bool keeps_surface()
+{
+  using Functor = std::decay_t<decltype(referred(std::declval<const Parameters&>().projection_functor))>;
+  return std::is_same<Functor, No_map>::value || Has_reference_surface<Functor>::value;
+}
+
 // Whether curves may lose tiny edges before the run. Not where the user's marks say what is to be kept, or a policy what may go, or
 // where the surface is another one than the mesh itself.
 template <class Parameters>
@@ -80,21 +90,6 @@ bool may_merge_curve_vertices(const Parameters& parameters, const Input_kind& ki
   return parameters.may_subdivide && parameters.may_collapse_constraints && parameters.does_project && kind.searches_features &&
          std::is_same<std::decay_t<decltype(referred(parameters.projection_functor))>, No_map>::value &&
          std::is_same<std::decay_t<decltype(parameters.face_patch_map)>, No_map>::value;
-}
-
-// `scales` are those of corners.
-template <class Parameters>
-void merge_curve_vertices(Remeshing_mesh& mesh, const Input_kind& kind, const Target& target, const std::vector<double>& scales,
-                          const Parameters& parameters)
-{
-  using Index = Remeshing_mesh::Index;
-  if (!(target.length > 0) || !(parameters.recipe.merging_distance > 0) || !may_merge_curve_vertices(parameters, kind)) return;
-  std::vector<char> is_corner = find_corners(mesh, scales, CHAMFER_COSINE), is_joint(mesh.number_of_vertex_slots(), 0);
-  for (const Index v : kind.rounded_edges.joints) is_corner[v] = is_joint[v] = 1;
-  Close_curve_vertices(mesh, std::move(is_corner), [&](Index v) {
-    const double part = target.sizing.part_of_face(mesh.face_record(mesh.face(mesh.first(v))).source);
-    return (is_joint[v] ? Rounded_edges::JOINT_LENGTH : parameters.recipe.merging_distance) * target.length * part;
-  }).merge();
 }
 
 // Whether curves hold details that the target length must fall to. One much under the length of the input's edges finds none.
@@ -149,12 +144,11 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   mark_constraints(exchange, tmesh, parameters.edge_is_constrained_map, parameters.vertex_is_constrained_map,
                    parameters.face_patch_map, parameters.constraint_settings);
   const double mean_length = total_length / (1.5 * double(exchange.input_faces().size()));
-  const Input_kind kind = find_and_mark_features(exchange.mesh(), wanted, mean_length, parameters);
+  const Input_kind kind = find_and_mark_features(exchange.mesh(), wanted, mean_length, keeps_surface<Parameters>(), parameters.recipe,
+                                                 parameters.constraint_settings);
   const auto patches = read_patches(parameters.face_patch_map, exchange.input_faces());
   Remeshing_mesh mesh = exchange.take_mesh();
-  const std::vector<double> scales = scales_of_corners(mesh, kind, target);
-  merge_curve_vertices(mesh, kind, wanted, scales, parameters);
-  lock_corners(mesh, scales);
+  settle_corners(mesh, kind, wanted, may_merge_curve_vertices(parameters, kind) ? parameters.recipe.merging_distance : 0.);
   mesh.renumber<ConcurrencyTag>(morton_order(mesh));
   Input_curves curves(mesh);
   const bool has_small_details = wanted.sizing.is_uniform() &&

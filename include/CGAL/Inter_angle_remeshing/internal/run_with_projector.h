@@ -9,6 +9,7 @@
 #include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
 #include <CGAL/Inter_angle_remeshing/internal/Default_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
+#include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
 #include <CGAL/Inter_angle_remeshing/internal/input_kind.h>
 #include <CGAL/Inter_angle_remeshing/internal/paper_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>

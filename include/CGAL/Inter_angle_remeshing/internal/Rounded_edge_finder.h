@@ -2,10 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_ROUNDED_EDGES_H
-#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_ROUNDED_EDGES_H
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_ROUNDED_EDGE_FINDER_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_ROUNDED_EDGE_FINDER_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/Rounded_edges.h>
 #include <CGAL/Inter_angle_remeshing/internal/curves.h>
 
 #include <CGAL/number_type_config.h>
@@ -29,16 +30,6 @@
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
-
-// The fillets of a CAD model, as features.
-struct Rounded_edges
-{
-  std::vector<Remeshing_mesh::Index> edges;         // one half-edge of each, sorted
-  // Vertices of features between junctions that are so close together that they should be one.
-  std::vector<Remeshing_mesh::Index> joints;
-  // How close, in target lengths.
-  static constexpr double JOINT_LENGTH = 0.35;
-};
 
 class Rounded_edge_finder
 {
@@ -348,4 +339,4 @@ inline std::vector<Rounded_edge_finder::Index> Rounded_edge_finder::find_joints(
 } // namespace Inter_angle_remeshing
 } // namespace CGAL
 
-#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_ROUNDED_EDGES_H
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_ROUNDED_EDGE_FINDER_H

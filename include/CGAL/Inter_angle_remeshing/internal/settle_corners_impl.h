@@ -1,0 +1,52 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_SETTLE_CORNERS_IMPL_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SETTLE_CORNERS_IMPL_H
+
+#include <CGAL/Inter_angle_remeshing/internal/close_curve_vertices.h>
+#include <CGAL/Inter_angle_remeshing/internal/corners.h>
+#include <CGAL/Inter_angle_remeshing/internal/settle_corners.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Designed curves are not jagged; where the fillets of a part are joined across a corner, they are.
+inline std::vector<double> scales_of_corners(const Remeshing_mesh& mesh, const Input_kind& kind, double target)
+{
+  std::vector<double> scales(mesh.number_of_vertex_slots(), kind.is_cad ? 0. : target);
+  for (const Remeshing_mesh::Index h : kind.rounded_edges.edges) scales[mesh.origin(h)] = scales[mesh.target(h)] = target;
+  return scales;
+}
+
+// `scales` are those of corners.
+inline void merge_curve_vertices(Remeshing_mesh& mesh, const Input_kind& kind, const Target& target, double merging_distance,
+                                 const std::vector<double>& scales)
+{
+  using Index = Remeshing_mesh::Index;
+  std::vector<char> is_corner = find_corners(mesh, scales, CHAMFER_COSINE), is_joint(mesh.number_of_vertex_slots(), 0);
+  for (const Index v : kind.rounded_edges.joints) is_corner[v] = is_joint[v] = 1;
+  Close_curve_vertices(mesh, std::move(is_corner), [&](Index v) {
+    const double part = target.sizing.part_of_face(mesh.face_record(mesh.face(mesh.first(v))).source);
+    return (is_joint[v] ? Rounded_edges::JOINT_LENGTH : merging_distance) * target.length * part;
+  }).merge();
+}
+
+CGAL_INTER_ANGLE_REMESHING_INLINE
+void settle_corners(Remeshing_mesh& mesh, const Input_kind& kind, const Target& target, double merging_distance)
+{
+  const std::vector<double> scales = scales_of_corners(mesh, kind, target.length);
+  if (merging_distance > 0 && target.length > 0) merge_curve_vertices(mesh, kind, target, merging_distance, scales);
+  lock_corners(mesh, scales);
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_SETTLE_CORNERS_IMPL_H
