@@ -52,13 +52,13 @@ Mesh segmentation(const Mesh& model, double voxel, double slice)
   for (int x = 0; x < size[0]; ++x)
     for (int y = 0; y < size[1]; ++y)
       for (int z = 0; z < size[2]; ++z) is_marked.push_back(side(place(x, y, z)) == CGAL::ON_BOUNDED_SIDE);
-  meshes::Isosurface surface = meshes::marching_cubes(size, [&](int x, int y, int z) {
+  meshes::Soup surface = meshes::marching_cubes(size, [&](int x, int y, int z) {
     return is_marked[(std::size_t(x) * size[1] + y) * size[2] + z]; });
   std::vector<Kernel::Point_3> points;
   for (const auto& p : surface.points) points.push_back(place(p[0], p[1], p[2]));
-  PMP::orient_polygon_soup(points, surface.triangles);
+  PMP::orient_polygon_soup(points, surface.faces);
   Mesh result;
-  PMP::polygon_soup_to_polygon_mesh(points, surface.triangles, result);
+  PMP::polygon_soup_to_polygon_mesh(points, surface.faces, result);
   return result;
 }
 

@@ -6,13 +6,7 @@
 
 // What a remeshed surface has in common with the one that it was made from, as values to compare.
 
-#include <CGAL/Inter_angle_remeshing/internal/compatibility.h>
-
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -74,19 +68,7 @@ inline std::size_t number_of_border_cycles(const Mesh& mesh)
   return cycles;
 }
 
-inline Topology topology(const Mesh& mesh)
-{
-  Topology t;
-  for(const Vertex v : vertices(mesh))
-    t.isolated_vertices += mesh.is_isolated(v);
-  t.euler_characteristic = long(mesh.number_of_vertices() - t.isolated_vertices) - long(mesh.number_of_edges()) +
-                           long(mesh.number_of_faces());
-  std::vector<std::size_t> component(mesh.number_of_faces() + mesh.number_of_removed_faces());
-  t.components = CGAL::Polygon_mesh_processing::connected_components(
-    mesh, boost::make_iterator_property_map(component.begin(), get(CGAL::face_index, mesh)));
-  t.border_cycles = number_of_border_cycles(mesh);
-  return t;
-}
+Topology topology(const Mesh& mesh);
 
 // Whether two edges join the same vertices, or one joins a vertex to itself.
 inline bool has_double_edges(const Mesh& mesh)
@@ -131,30 +113,17 @@ inline Vector normal(Face f, const Mesh& mesh)
   return CGAL::cross_product(p[1] - p[0], p[2] - p[0]);
 }
 
-// Throws where faces are degenerate.
-inline bool does_self_intersect(const Mesh& mesh)
-{
-  return CGAL::Polygon_mesh_processing::does_self_intersect(mesh);
-}
+// Throws where faces are degenerate, as the next one does.
+bool does_self_intersect(const Mesh& mesh);
+
+// The pairs of faces that do.
+std::vector<std::pair<Face, Face>> self_intersections(const Mesh& mesh);
 
 // Faces of `mesh` that look away from where the nearest face of `input` looks.
-inline std::size_t number_of_flipped_faces(const Mesh& mesh, const Mesh& input)
-{
-  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
-  using Tree = CGAL::AABB_tree<CGAL::Inter_angle_remeshing::internal::AABB_traits<Kernel, Primitive>>;
-  std::vector<Face> proper;
-  for(const Face f : faces(input))
-    if(normal(f, input) != CGAL::NULL_VECTOR)
-      proper.push_back(f);
-  Tree tree(proper.begin(), proper.end(), input);
-  tree.accelerate_distance_queries();
-  const auto all = faces(mesh);
-  return std::size_t(std::count_if(all.begin(), all.end(), [&](Face f) {
-    const auto p = corners(f, mesh);
-    const Face nearest = tree.closest_point_and_primitive(CGAL::centroid(p[0], p[1], p[2])).second;
-    return normal(f, mesh) * normal(nearest, input) < 0;
-  }));
-}
+std::size_t number_of_flipped_faces(const Mesh& mesh, const Mesh& input);
+
+// Of the points from the mesh.
+double largest_distance(const std::vector<Point>& points, const Mesh& mesh);
 
 // --- curves ------------------------------------------------------------------------------------------------------
 

@@ -5,6 +5,8 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_TEST_MARCHING_CUBES_H
 #define CGAL_INTER_ANGLE_REMESHING_TEST_MARCHING_CUBES_H
 
+#include "meshes.h"
+
 #include <array>
 #include <cstddef>
 #include <map>
@@ -13,18 +15,12 @@
 
 namespace meshes {
 
-struct Isosurface
-{
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::vector<std::size_t>> triangles;       // counterclockwise, seen from outside
-};
-
 // Of the fans of triangles that a polygon can be cut into, the one whose triangles lie in a plane with the next one most often, as in
 // the usual tables.
-inline std::vector<std::vector<std::size_t>> flattest_fan(const std::vector<std::array<double, 3>>& points,
-                                                          const std::vector<std::size_t>& polygon)
+inline std::vector<std::array<std::size_t, 3>> flattest_fan(const std::vector<std::array<double, 3>>& points,
+                                                            const std::vector<std::size_t>& polygon)
 {
-  const auto normal = [&](const std::vector<std::size_t>& t)
+  const auto normal = [&](const std::array<std::size_t, 3>& t)
   {
     const auto &p = points[t[0]], &q = points[t[1]], &r = points[t[2]];
     std::array<double, 3> result;
@@ -40,12 +36,12 @@ inline std::vector<std::vector<std::size_t>> flattest_fan(const std::vector<std:
     const auto dot = [](const auto& u, const auto& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; };
     return dot(a, b) > 0 && dot(a, b) * dot(a, b) == dot(a, a) * dot(b, b);      // the coordinates are halves
   };
-  std::vector<std::vector<std::size_t>> best;
+  std::vector<std::array<std::size_t, 3>> best;
   int most_coplanar = -1;
   for(std::size_t apex = 0; apex < polygon.size(); ++apex)
   {
     const auto corner = [&](std::size_t i) { return polygon[(apex + i) % polygon.size()]; };
-    std::vector<std::vector<std::size_t>> fan;
+    std::vector<std::array<std::size_t, 3>> fan;
     int coplanar = 0;
     for(std::size_t i = 2; i < polygon.size(); ++i)
     {
@@ -66,12 +62,12 @@ inline std::vector<std::vector<std::size_t>> flattest_fan(const std::vector<std:
 // make of a segmentation. Each vertex is the middle between a marked voxel and a neighbor that is not; marked voxels that share no
 // more than an edge are apart.
 template <class Predicate>
-Isosurface marching_cubes(const std::array<int, 3>& size, const Predicate& is_marked)
+Soup marching_cubes(const std::array<int, 3>& size, const Predicate& is_marked)
 {
   using Voxel = std::array<int, 3>;
   // The corners of the faces of a cube, as bits for each axis, counterclockwise from outside.
   constexpr int FACES[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-  Isosurface result;
+  Soup result;
   std::map<std::pair<Voxel, Voxel>, std::size_t> number;
   Voxel cube;
   const auto voxel = [&](int corner) { return Voxel{cube[0] + (corner & 1), cube[1] + (corner >> 1 & 1), cube[2] + (corner >> 2)}; };
@@ -117,8 +113,8 @@ Isosurface marching_cubes(const std::array<int, 3>& size, const Predicate& is_ma
             polygon.push_back(entry->second);
             next.erase(entry);
           }
-          const std::vector<std::vector<std::size_t>> triangles = flattest_fan(result.points, polygon);
-          result.triangles.insert(result.triangles.end(), triangles.begin(), triangles.end());
+          const auto triangles = flattest_fan(result.points, polygon);
+          result.faces.insert(result.faces.end(), triangles.begin(), triangles.end());
         }
       }
   return result;

@@ -9,15 +9,12 @@
 
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 
-#include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Real_timer.h>
 
 #include "check.h"
 #include "invariants.h"
 #include "meshes.h"
+#include "models.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -28,30 +25,11 @@
 #include <vector>
 
 namespace IAR = CGAL::Inter_angle_remeshing;
-namespace PMP = CGAL::Polygon_mesh_processing;
 using namespace invariants;
-
-// A manifold mesh of the triangles of a file: where faces meet that no manifold has, the surface is cut. Empty where the file
-// has no faces that can be triangulated.
-Mesh read(const std::string& file)
-{
-  std::vector<Point> points;
-  std::vector<std::vector<std::size_t>> polygons;
-  Mesh mesh;
-  if(!CGAL::IO::read_polygon_soup(file, points, polygons))
-    return mesh;
-  PMP::orient_polygon_soup(points, polygons);
-  if(!PMP::is_polygon_soup_a_polygon_mesh(polygons))
-    return mesh;
-  PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
-  if(!CGAL::is_triangle_mesh(mesh))
-    PMP::triangulate_faces(mesh);
-  return CGAL::is_triangle_mesh(mesh) ? mesh : Mesh();
-}
 
 void survey(const std::string& file)
 {
-  const Mesh input = read(file);
+  const Mesh input = models::from_file(file);
   const std::string name = std::filesystem::path(file).filename().string();
   if(is_empty(input))
   {

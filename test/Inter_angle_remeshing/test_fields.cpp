@@ -11,7 +11,6 @@
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 #include <CGAL/Inter_angle_remeshing/surface_distance.h>
 
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #if CGAL_VERSION_NR >= 1060000000
 #  include <CGAL/Polygon_mesh_processing/Adaptive_sizing_field.h>
 #  include <CGAL/Polygon_mesh_processing/Uniform_sizing_field.h>
@@ -20,6 +19,7 @@
 #include "check.h"
 #include "invariants.h"
 #include "meshes.h"
+#include "models.h"
 
 #include <algorithm>
 #include <array>
@@ -37,13 +37,6 @@ namespace IAR = CGAL::Inter_angle_remeshing;
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace parameters = CGAL::parameters;
 using namespace invariants;
-
-Mesh read(const std::string& name)
-{
-  Mesh m;
-  CHECK_MESSAGE(PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), m), name);
-  return m;
-}
 
 double length_of(Edge e, const Mesh& m)
 {
@@ -111,7 +104,7 @@ void functions_of_the_position_are_followed()
   struct Case { const char* name; double smallest, largest; };
   for(const Case& c : {Case{"elephant", 40, 90}, Case{"bunny00", 40, 90}, Case{"mesh_with_border", 33, 103}})
   {
-    const Mesh input = read(c.name);
+    const Mesh input = models::of_cgal(c.name);
     Mesh m = input;
     IAR::Remeshing_report report = IAR::isotropic_remeshing(Ramp(input), m);
     fits(m, Ramp(input), report, c.smallest, c.largest, c.name + std::string(", ramp"));
@@ -268,7 +261,7 @@ void curvature_at_features_and_borders()
 
 void gradation_is_bounded()
 {
-  const Mesh m = read("elephant");
+  const Mesh m = models::of_cgal("elephant");
   const double mean = mean_edge_length(m), gradation = .2;
   const std::pair<double, double> range(mean / 4, 4 * mean);
   const Curvature_field field(.02 * mean, range, m.faces(), m, parameters::default_values(), gradation);
@@ -293,7 +286,7 @@ void gradation_is_bounded()
 // A larger tolerance never asks for shorter edges.
 void lengths_rise_with_the_tolerance()
 {
-  const Mesh m = read("blobby_3cc");
+  const Mesh m = models::of_cgal("blobby_3cc");
   const double mean = mean_edge_length(m);
   std::vector<double> before(m.number_of_vertices(), 0);
   for(const double tolerance : {.01, .1, 1., 100., 1e6})
@@ -613,7 +606,7 @@ void attributes_with_every_projector()
 // Faces have the attribute of a face of their own patch, whichever patch is nearest; and named parameters that have a name are taken.
 void attributes_stay_in_their_patches(const std::string& name)
 {
-  const Mesh input = read(name);
+  const Mesh input = models::of_cgal(name);
   CGAL::Bbox_3 box;
   for(const Vertex v : input.vertices())
     box += input.point(v).bbox();

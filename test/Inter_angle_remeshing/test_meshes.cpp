@@ -19,13 +19,11 @@
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include "check.h"
 #include "meshes.h"
+#include "models.h"
 
 #include <algorithm>
 #include <array>
@@ -54,10 +52,7 @@ const Mesh& mesh_of_cgal(const std::string& name)
   const auto found = meshes.find(name);
   if(found != meshes.end())
     return found->second;
-  Mesh& mesh = meshes[name];
-  CHECK_MESSAGE(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh),
-                name << ": cannot be read; see CGAL_DATA_DIR");
-  return mesh;
+  return meshes[name] = models::of_cgal(name);
 }
 
 // How far borders and constrained edges move, in target lengths: what collapses take away from a curve adds up to this.
@@ -426,10 +421,8 @@ void large_distances_are_lowered()
 
 std::size_t number_of_crossing_faces(const Mesh& m)
 {
-  std::vector<std::pair<Face, Face>> pairs;
-  PMP::self_intersections(m, std::back_inserter(pairs));
   std::set<Face> result;
-  for(const auto& [f, g] : pairs)
+  for(const auto& [f, g] : self_intersections(m))
     result.insert({f, g});
   return result.size();
 }
@@ -722,8 +715,7 @@ void all_crossing_faces_are_found()
   for(const meshes::Soup& soup : {two, two.joined_with(sheets), touching, overlapping})
   {
     const Mesh m = meshes::to_mesh<Mesh>(soup);
-    std::vector<std::pair<Face, Face>> expected;
-    PMP::self_intersections(m, std::back_inserter(expected));
+    const auto expected = self_intersections(m);
     const auto copy = IAR::internal::copy_whole_surface(m, get(CGAL::vertex_point, m), "test");
     const auto found = IAR::internal::crossing_faces<CGAL::Sequential_tag>(copy.mesh);
     CHECK_MESSAGE(!found.empty() && found.size() == expected.size(), found.size() << " of " << expected.size());
@@ -827,13 +819,12 @@ struct Quality
 
 std::pair<Quality, Quality> ours_and_that_of_pmp(const Mesh& input, double length)
 {
-  Mesh ours = input, theirs = input;
+  Mesh ours = input;
   // the facets' surface, which is what PMP keeps to
   const IAR::Closest_point_projector<Mesh> facets(input);
   IAR::isotropic_remeshing(faces(ours), length, ours,
                            parameters::number_of_iterations(10).projection_functor(std::cref(facets)));
-  PMP::isotropic_remeshing(faces(theirs), length, theirs, parameters::number_of_iterations(10));
-  return {Quality(ours, input), Quality(theirs, input)};
+  return {Quality(ours, input), Quality(models::remeshed_by_pmp(input, length), input)};
 }
 
 // What is gained on PMP, as the mean of three lengths: at one alone, a handful of faces decides on tenths of a degree.

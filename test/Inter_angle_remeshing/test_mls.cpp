@@ -13,21 +13,13 @@
 #  include <CGAL/Inter_angle_remeshing/Projection/Point_set_MLS_projector.h>
 #endif
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include "check.h"
 #include "meshes.h"
+#include "models.h"
 
 #include <array>
 #include <cmath>
@@ -46,12 +38,12 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 namespace parameters = CGAL::parameters;
 using namespace meshes;
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point = Kernel::Point_3;
-using Vector = Kernel::Vector_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using invariants::Kernel;
+using invariants::Mesh;
+using invariants::Point;
+using invariants::Vector;
+using invariants::does_self_intersect;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-using Exact_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Facets = IAR::Closest_point_projector<Mesh>;
 using Mls = IAR::MLS_projector<Mesh>;
 using Samples = IAR::Upsampled_point_set<Mesh>;
@@ -302,31 +294,13 @@ void check_bounds(const Mesh& m, const std::string& name)
 
 bool is_finite(const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); }
 
-// As a mesh of triangles, whatever its state in the file.
-Mesh read_any_mesh(const std::string& path)
-{
-  Mesh m;
-  if(!PMP::IO::read_polygon_mesh(path, m))
-  {
-    std::vector<Point> points;
-    std::vector<std::vector<std::size_t>> polygons;
-    m.clear();
-    if(!CGAL::IO::read_polygon_soup(path, points, polygons))
-      return m;
-    PMP::orient_polygon_soup(points, polygons);
-    PMP::polygon_soup_to_polygon_mesh(points, polygons, m);
-  }
-  PMP::triangulate_faces(m);
-  return m;
-}
-
 // All of CGAL's models: organic and CAD, open, with needles, with faces without an area, crossing themselves.
 void real_models_keep_the_bounds()
 {
   std::size_t models = 0;
   for(const auto& file : std::filesystem::directory_iterator(CGAL::data_file_path("meshes")))
   {
-    const Mesh m = read_any_mesh(file.path().string());
+    const Mesh m = models::from_file(file.path().string());
     const std::string name = file.path().filename().string();
     if(m.number_of_faces() == 0 || (is_small_run() && m.number_of_faces() > 1000))
       continue;
@@ -350,11 +324,10 @@ void real_models_keep_the_bounds()
 }
 
 // The surface over each face as n² triangles, sewn together at equal points.
-CGAL::Surface_mesh<Exact_kernel::Point_3> tessellation(const Mls& mls, int n)
+Mesh tessellation(const Mls& mls, int n)
 {
   const auto& surface = mls.mls_surface();
-  std::vector<Exact_kernel::Point_3> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
+  Soup soup;
   for(std::size_t f = 0; f < surface.reference_surface().number_of_faces(); ++f)
     for(int i = 0; i < n; ++i)
       for(int j = 0; i + j < n; ++j)
@@ -363,18 +336,15 @@ CGAL::Surface_mesh<Exact_kernel::Point_3> tessellation(const Mls& mls, int n)
           if(side == 1 && i + j + 2 > n)
             continue;
           const int corner[2][3][2] = {{{i, j}, {i + 1, j}, {i, j + 1}}, {{i + 1, j}, {i + 1, j + 1}, {i, j + 1}}};
-          triangles.push_back({points.size(), points.size() + 1, points.size() + 2});
+          soup.faces.push_back({soup.points.size(), soup.points.size() + 1, soup.points.size() + 2});
           for(const auto& c : corner[side])
           {
             // rounded, as the two sides of an edge may differ in the last bits
             const auto p = surface.point(int(f), {double(n - c[0] - c[1]) / n, double(c[0]) / n, double(c[1]) / n});
-            points.emplace_back(float(p.x), float(p.y), float(p.z));
+            soup.points.push_back({float(p.x), float(p.y), float(p.z)});
           }
         }
-  PMP::merge_duplicate_points_in_polygon_soup(points, triangles);
-  CGAL::Surface_mesh<Exact_kernel::Point_3> result;
-  PMP::polygon_soup_to_polygon_mesh(points, triangles, result);
-  return result;
+  return models::from_soup(soup);
 }
 
 // Not at folds (hand, dino), and not where faces beside a feature are thinner than its curve is high (cheese, anchor).
@@ -382,10 +352,10 @@ void the_surface_does_not_cross_itself()
 {
   for(const char* name : {"anchor", "hand", "dino", "elephant", "cheese"})
   {
-    const Mesh m = read_any_mesh(CGAL::data_file_path("meshes/" + std::string(name) + ".off"));
+    const Mesh m = models::of_cgal(name);
     if(is_small_run() && m.number_of_faces() > 3000)
       continue;
-    CHECK_MESSAGE(!PMP::does_self_intersect(tessellation(Mls(m), 3)), name);
+    CHECK_MESSAGE(!does_self_intersect(tessellation(Mls(m), 3)), name);
   }
 }
 
@@ -580,8 +550,7 @@ void sharp_models_stay_near()
 {
   for(const char* name : {"fandisk", "joint", "degtri_sliding"})
   {
-    Mesh m;
-    CHECK(PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + std::string(name) + ".off"), m));
+    const Mesh m = models::of_cgal(name);
     if(is_small_run() && m.number_of_faces() > 3000)
       continue;
     const Samples samples(m);
@@ -606,11 +575,11 @@ void a_coarse_mesh_becomes_a_fine_surface()
 {
   const Mesh coarse = to_mesh<Mesh>(sphere(3));   // 512 faces
   const double fine = mean_edge_length(coarse) / 4;
-  Mesh ours = coarse, facets = coarse, theirs = coarse, by_mls = coarse;
+  Mesh ours = coarse, facets = coarse, by_mls = coarse;
   IAR::isotropic_remeshing(faces(ours), fine, ours, IAR::recipe(without_fit()));
   IAR::isotropic_remeshing(faces(facets), fine, facets, IAR::recipe(without_fit(), parameters::projection_functor(Facets(coarse))));
   IAR::isotropic_remeshing(faces(by_mls), fine, by_mls, IAR::recipe(without_fit(), parameters::projection_functor(Mls(coarse))));
-  PMP::isotropic_remeshing(faces(theirs), fine, theirs, parameters::number_of_iterations(5));
+  const Mesh theirs = models::remeshed_by_pmp(coarse, fine, 5);
   const double error = mean_error(ours, distance_from_sphere);
   CHECK_MESSAGE(mean_error(facets, distance_from_sphere) > 30 * error, mean_error(facets, distance_from_sphere) / error);
   CHECK_MESSAGE(mean_error(theirs, distance_from_sphere) > 30 * error, mean_error(theirs, distance_from_sphere) / error);
@@ -685,12 +654,12 @@ void long_facets_stay_straight()
         const Point axis(0, 0, std::max(0., std::min(12., p.z())));
         CHECK_MESSAGE(std::abs(std::sqrt(CGAL::squared_distance(p, axis)) - 1) < 2 * sagitta + .03, n << ", " << length << ": " << p);
       }
-      CHECK(IAR::inter_angle_statistics(m).minimum_angle > 40 && !PMP::does_self_intersect(m));
+      CHECK(IAR::inter_angle_statistics(m).minimum_angle > 40 && !does_self_intersect(m));
 
       Mesh wall = to_mesh<Mesh>(meshes::turned(tube, n, true));
       const Mesh thick = wall;
       IAR::isotropic_remeshing(length, wall);
-      CHECK_MESSAGE(!PMP::does_self_intersect(wall), n << ", " << length);
+      CHECK_MESSAGE(!does_self_intersect(wall), n << ", " << length);
       const double distance = IAR::surface_distance(thick, wall).hausdorff();
       CHECK_MESSAGE(distance < .8 * length, n << ", " << length << ": " << distance);
     }
@@ -723,8 +692,7 @@ void a_fit_comes_nearer()
   for(const auto& [name, factor] : std::vector<std::pair<std::string, double>>{
         {"elephant", 1}, {"fandisk", 1}, {"joint", .15}, {"knot1", 1}, {"knot1", 3}, {"mushroom", 1}})
   {
-    Mesh input;
-    CHECK(PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), input));
+    const Mesh input = models::of_cgal(name);
     if(is_small_run() && input.number_of_faces() > 3000)
       continue;
     const double length = factor * mean_edge_length(input);
@@ -756,8 +724,7 @@ void the_closest_recipe_comes_nearer_still()
   for(const auto& [name, factor] : std::vector<std::pair<std::string, double>>{
         {"elephant", 1}, {"elephant", 2}, {"knot1", 3}, {"mushroom", 1}, {"bear", 1}, {"hand", 1}})
   {
-    Mesh input;
-    CHECK(PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), input));
+    const Mesh input = models::of_cgal(name);
     if(is_small_run() && input.number_of_faces() > 3000)
       continue;
     const double length = factor * mean_edge_length(input);

@@ -13,7 +13,6 @@
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
@@ -24,6 +23,7 @@
 
 #include "check.h"
 #include "meshes.h"
+#include "models.h"
 
 #include <algorithm>
 #include <array>
@@ -48,12 +48,8 @@ struct Input
   double length;
 
   explicit Input(const std::string& file, double factor = 1)
-    : name(file)
-  {
-    CHECK_MESSAGE(CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + file + ".off"), mesh),
-                  file << ": cannot be read; see CGAL_DATA_DIR");
-    length = factor * mean_edge_length(mesh);
-  }
+    : name(file), mesh(models::of_cgal(file)), length(factor * mean_edge_length(mesh))
+  {}
 };
 
 Input closed_input() { return meshes::is_small_run() ? Input("eight") : Input("elephant"); }
