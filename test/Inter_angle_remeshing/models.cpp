@@ -4,6 +4,7 @@
 #include "models.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/clip.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
@@ -14,7 +15,6 @@
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/alpha_wrap_3.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <cmath>
 #include <cstddef>
@@ -28,7 +28,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 Mesh of_cgal(const std::string& name)
 {
   Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh))
+  if(!PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh))
     throw std::runtime_error(name + " cannot be read; see CGAL_DATA_DIR");
   return mesh;
 }

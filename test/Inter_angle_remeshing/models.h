@@ -15,7 +15,7 @@ namespace models {
 
 using namespace invariants;
 
-// The one of this name in CGAL's folder, `elephant`, as it is. Throws where it cannot be read.
+// The one of this name in CGAL's folder, as `elephant`. Throws where it cannot be read.
 Mesh of_cgal(const std::string& name);
 
 // The triangles of a file, polygons cut into them: where faces meet that no manifold has, the surface is cut. Empty where the file
