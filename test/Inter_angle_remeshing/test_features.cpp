@@ -25,6 +25,7 @@
 #include "check.h"
 #include "invariants.h"
 #include "marching_cubes.h"
+#include "marching_tetrahedra.h"
 #include "meshes.h"
 #include "models.h"
 
@@ -1726,6 +1727,41 @@ void coarse_models_keep_their_creases()
   CHECK_MESSAGE(distance_with < .9 * distance_without, distance_with << ", without " << distance_without);
 }
 
+// Creases of implicit surfaces by marching tetrahedra are jagged. Where corners of features lie so close together that no good face has
+// room between them, features are given up; and no spur is left of a tiny way around.
+void jagged_creases_leave_room_for_good_angles()
+{
+  const auto lattice = [](double x, double y, double z) {
+    const auto from_axis = [](double a) { return std::abs(a - std::floor(a) - .5); };
+    const double u = from_axis(x), v = from_axis(y), w = from_axis(z);
+    return std::min({std::hypot(u, v), std::hypot(v, w), std::hypot(u, w)}) - .09;
+  };
+  const auto gyroid = [](double x, double y, double z) {
+    return std::abs(std::sin(x) * std::cos(y) + std::sin(y) * std::cos(z) + std::sin(z) * std::cos(x)) - .35;
+  };
+  struct Case { Soup soup; double factor; };
+  std::vector<Case> cases = {{meshes::marching_tetrahedra(-.1, 1.1, 20, lattice), 2}};
+  if(!meshes::is_small_run())
+  {
+    cases.push_back({meshes::marching_tetrahedra(-.1, 2.1, 55, lattice), 1.5});
+    cases.push_back({cases.back().soup, 2});
+    cases.push_back({meshes::marching_tetrahedra(0, 6.3, 36, gyroid), 1});
+  }
+  for(const auto& [soup, factor] : cases)
+  {
+    const Mesh input = meshes::to_mesh<Mesh>(soup);
+    CHECK(CGAL::is_closed(input) && CGAL::is_valid_polygon_mesh(input) && PMP::is_outward_oriented(input));
+    Mesh m = input;
+    const double length = factor * mean_edge_length(input);
+    const auto report = IAR::isotropic_remeshing(length, m);
+    m.collect_garbage();
+    CHECK(report.features == Features::outstanding_edges && topology(m) == topology(input) && !does_self_intersect(m));
+    CHECK_MESSAGE(report.angles_after.minimum > 15, report.angles_after.minimum);
+    CHECK_MESSAGE(500 * report.number_of_faces_out_of_band < report.output_faces, report.number_of_faces_out_of_band);
+    CHECK_MESSAGE(IAR::surface_distance(input, m).hausdorff() < .6 * length, IAR::surface_distance(input, m).hausdorff() / length);
+  }
+}
+
 int main()
 {
   coarser_runs_find_no_more();
@@ -1774,6 +1810,7 @@ int main()
   simplified_stairs_are_no_features();
   what_resembles_stairs_keeps_its_edges();
   one_rim_of_a_jagged_chamfer_is_a_feature();
+  jagged_creases_leave_room_for_good_angles();
   grading_mends_jagged_borders();
   round_rims_are_coarsened();
   coarse_results_are_still_cad_models();

@@ -20,6 +20,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/polish_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/regular_valence.h>
 #include <CGAL/Inter_angle_remeshing/internal/relax_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/release_features.h>
 #include <CGAL/Inter_angle_remeshing/internal/repair_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/Schedule.h>
 #include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
@@ -161,6 +162,11 @@ public:
   void repair(Repairer& repairer)
   {
     if (repairs()) report_.repairs += run(Pass::repair, [&]() { return repairer.run(); });
+  }
+
+  void release_features()
+  {
+    if (goes_on() && context_.may_release_features && repairs()) Feature_release(context_).run();
   }
 
   // Chords much shorter than the surface's own do not lead through another sheet, but where the mesh is a wreck.

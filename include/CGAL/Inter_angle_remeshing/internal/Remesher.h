@@ -205,6 +205,7 @@ private:
     const std::size_t operations = number_of_operations();
     clock_.start_iteration();
     context_.visitor.start_iteration(clock_.iterations(), mesh_);
+    if (clock_.is_late() && is_at_finest_level()) passes_.release_features();
     const int halvings = clock_.iterations() == 0 || is_only_split_ ? halvings_to_do() : 0;
     split_and_collapse();
     is_only_split_ = is_only_to_be_split(halvings);

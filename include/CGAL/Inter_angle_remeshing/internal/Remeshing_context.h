@@ -40,6 +40,7 @@ struct Remeshing_context
   bool may_collapse_constraints;
   double target_length;                // in the units of the flat mesh; 0: nothing is split or collapsed
 
+  bool may_release_features;           // they were found by themselves, and not on a CAD model
   bool may_subdivide;                  // no rule of the user's says which edges are split, collapsed or flipped
   const Sizing& sizing;
   const Input_locator* locator;        // null where nobody asks for places

@@ -136,6 +136,12 @@ public:
     const Index o = opposite(h);
     if (o >= 0) faces_[o >> 2].edge_flags |= flags << (o & 3);
   }
+  void remove_flags(Index h, std::uint32_t flags)
+  {
+    faces_[h >> 2].edge_flags &= ~(flags << (h & 3));
+    const Index o = opposite(h);
+    if (o >= 0) faces_[o >> 2].edge_flags &= ~(flags << (o & 3));
+  }
 
   // --- places on the input's curves ---------------------------------------------------------------------------
 

@@ -121,8 +121,46 @@ private:
     shift_[b] = shift;
     is_corner_[b] = is_corner_[b] || is_corner_[a];
     mesh_.add_marks(b, mesh_.marks(a) & Remeshing_mesh::ON_FEATURE);
+    const std::vector<Index> tips = tips_of_detours(h);
     mesh_.collapse(h);
+    for (const Index c : tips) drop_spur(c);
     return true;
+  }
+
+  // Apexes of the faces at the edge of h that a curve leads to from one end of the edge, and back to the other one, a tiny way: when the
+  // ends are one, a spur would be left of that, with two corners.
+  std::vector<Index> tips_of_detours(Index h) const
+  {
+    std::vector<Index> result;
+    const Index a = mesh_.source(h), b = mesh_.source(mesh_.opposite(h));
+    for (const Index k : {h, mesh_.opposite(h)}) {
+      if (k < 0) continue;
+      const Index c = mesh_.apex(k);
+      int edges = 0, edges_beside = 0;
+      for_each_curve_halfedge(mesh_, c, [&](Index g) {
+        ++edges;
+        edges_beside += g >= 0 && (mesh_.target(g) == a || mesh_.target(g) == b);
+      });
+      if (edges == 2 && edges_beside == 2 && !mesh_.is_border_vertex(c) &&
+          squared_distance(mesh_.position(b), mesh_.position(c)) <= tolerance_[c] * tolerance_[c])
+        result.push_back(c);
+    }
+    return result;
+  }
+
+  // The one feature edge that ends at c is none.
+  void drop_spur(Index c)
+  {
+    Index spur = -1;
+    for_each_curve_halfedge(mesh_, c, [&](Index h) { spur = h; });
+    if (spur < 0) return;
+    const Index b = mesh_.target(spur);
+    mesh_.remove_flags(spur, Remeshing_mesh::CONSTRAINED | Remeshing_mesh::FOUND);
+    for (const Index v : {b, c}) {
+      bool is_on_feature = false;
+      for_each_curve_halfedge(mesh_, v, [&](Index h) { is_on_feature = is_on_feature || (h >= 0 && mesh_.is_constrained(h)); });
+      if (!is_on_feature) mesh_.remove_marks(v, Remeshing_mesh::ON_FEATURE);
+    }
   }
 
   bool may_go(Index h) const

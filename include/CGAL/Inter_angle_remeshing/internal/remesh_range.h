@@ -92,6 +92,14 @@ bool may_merge_curve_vertices(const Parameters& parameters, const Input_kind& ki
          std::is_same<std::decay_t<decltype(parameters.face_patch_map)>, No_map>::value;
 }
 
+// Whether features may be given up. A vertex that the user holds is one of theirs as a corner is.
+template <class Parameters>
+bool may_release_features(const Parameters& parameters, const Input_kind& kind)
+{
+  return kind.searches_features && !kind.is_cad &&
+         std::is_same<std::decay_t<decltype(parameters.vertex_is_constrained_map)>, No_map>::value;
+}
+
 // Whether curves hold details that the target length must fall to. One much under the length of the input's edges finds none.
 inline bool has_details_smaller_than(double target, const Input_curves& curves, double mean_length)
 {
@@ -165,9 +173,9 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
     if (wanted.sizing.needs_places() || attributes.are_carried()) locator.emplace(projector, mesh);
     Remeshing_context context{mesh, parameters.recipe, curves, rule(parameters.split_policy), rule(parameters.collapse_policy),
                               rule(parameters.flip_policy), projector, parameters.visitor, parameters.may_collapse_constraints,
-                              target, parameters.may_subdivide, wanted.sizing, locator ? &*locator : nullptr,
-                              has_small_details ? parameters.recipe.grading : 0., noise(kind, mean_length, target), Grading(),
-                              Kept_places()};
+                              target, may_release_features(parameters, kind), parameters.may_subdivide, wanted.sizing,
+                              locator ? &*locator : nullptr, has_small_details ? parameters.recipe.grading : 0.,
+                              noise(kind, mean_length, target), Grading(), Kept_places()};
     const Run_result result = run_passes<Concurrency>(context, parameters.schedule, untouched);
     (restore(), ...);
     is_to_be_written = result.has_target_length;
