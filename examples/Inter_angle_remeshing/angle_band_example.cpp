@@ -48,8 +48,11 @@ int main(int argc, char* argv[])
 
   std::cout << report.output_faces << " faces, angles from " << report.angles_after.minimum << " to "
             << report.angles_after.maximum << " degrees, " << report.repairs << " repairs; the band "
-            << (report.band_holds ? "holds" : "does not hold") << "; " << report.crossing_faces
-            << " faces cross others\n";
+            << (report.band_holds ? "holds" : "does not hold") << "\n";
+  if(report.are_crossing_faces_known)
+    std::cout << report.crossing_faces << " faces cross others\n";
+  else
+    std::cout << "crossing faces were not looked for\n";
   for(const Report::Face_out_of_band& face : report.faces_out_of_band)
     std::cout << "  by " << face.violation << " degrees near (" << face.centroid[0] << ", " << face.centroid[1] << ", "
               << face.centroid[2] << "): " << words(face.reason) << "\n";

@@ -68,7 +68,7 @@ int main()
   IAR::isotropic_remeshing(faces(on_facets), fine, on_facets, parameters::projection_functor(std::cref(facets)));
   IAR::isotropic_remeshing(faces(on_mls), fine, on_mls, parameters::projection_functor(std::cref(mls)));
   IAR::isotropic_remeshing(faces(by_default), fine, by_default);
-  PMP::isotropic_remeshing(faces(by_pmp), fine, by_pmp, parameters::number_of_iterations(5));
+  PMP::isotropic_remeshing(faces(by_pmp), fine, by_pmp, parameters::number_of_iterations(10));
   std::cout << coarse.number_of_faces() << " faces become " << by_default.number_of_faces()
             << "; mean distance of the vertices from the sphere:\n"
             << "  on the facets                 " << mean_error(on_facets) << "\n"
@@ -90,9 +90,9 @@ int main()
 
   std::ofstream("coarse_sphere.off") << coarse;
   on_facets.collect_garbage();
-  by_default.collect_garbage();
+  on_mls.collect_garbage();
   std::ofstream("on_facets.off") << on_facets;
-  std::ofstream("on_mls.off") << by_default;
+  std::ofstream("on_mls.off") << on_mls;
   std::cout << "written: coarse_sphere.off, on_facets.off, on_mls.off\n";
   return 8 * mean_error(by_default) < mean_error(by_pmp) && 8 * projected_error < near_error ? EXIT_SUCCESS
                                                                                              : EXIT_FAILURE;

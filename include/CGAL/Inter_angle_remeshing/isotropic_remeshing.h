@@ -31,7 +31,7 @@ namespace Inter_angle_remeshing {
 length, regular valences, on the same surface.
 
 Splits, collapses and flips edges by the rules of inter-angle optimization, and relaxes vertices tangentially; after
-each iteration the vertices are pulled back onto the surface. Takes the arguments of
+every second iteration, and each of the last two, the vertices are pulled back onto the surface. Takes the arguments of
 `CGAL::Polygon_mesh_processing::isotropic_remeshing()`.
 
 The mesh is changed in one step at the end. An exception before that, from a refused argument, from a functor of the
@@ -113,8 +113,10 @@ number of faces of the range and of the result, per iteration.
                           the call the map, if it can be written, is right for every edge of the range.}
     \cgalParamType{a class model of `ReadWritePropertyMap` (or `ReadablePropertyMap`) with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
-    \cgalParamDefault{the features that `detect_features()` finds, unless `sharpness_angle` is given, or the projection
-                      functor is one that knows no surface}
+    \cgalParamDefault{the features that `detect_features()` finds, with the target length as `scale`, unless `sharpness_angle` is given,
+                      or the projection functor is one that knows no surface, or with `Recipe::paper()`. Where no CAD model is, two
+                      corners on them that are closer than 0.3 target lengths, beside a face with an angle of less than 20 degrees, are
+                      given up before the last iterations, unless `vertex_is_constrained_map` is given}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{vertices that are kept and not moved, to the last bit}
