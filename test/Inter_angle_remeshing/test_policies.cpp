@@ -367,6 +367,21 @@ void a_much_too_long_edge_is_split_beside_any_angle()
   CHECK(!permits(IAR::Inter_angle_split_policy<>(90, IAR::Permit_all(), INFINITE), obtuse, 1e-9));
 }
 
+void beside_needles_the_split_rule_yields_where_asked_to()
+{
+  const auto rule = [](double needle_angle) { return IAR::Inter_angle_split_policy<>(90, IAR::Permit_all(), INFINITE, needle_angle); };
+  // obtuse on the left, 9.5 degrees at the source on the right; and the other way round, and on the border
+  const double t = std::tan(9.5 * CGAL_PI / 180);
+  for(const Soup& edge : {hinge({0, 0, 0}, {1, 0, 0}, {-.2, 1, 0}, {.9, -.9 * t, 0}), hinge({0, 0, 0}, {1, 0, 0}, {.9, .9 * t, 0}, {-.2, -1, 0})})
+  {
+    CHECK(permits(rule(10), edge) && !permits(rule(9), edge) && !permits(rule(0), edge));
+    CHECK(!permits(IAR::Inter_angle_split_policy<>(), edge));
+  }
+  CHECK(!permits(rule(10), edge_beside_an_angle_of(120)));
+  const Soup triangle = {{{0, 0, 0}, {1, 0, 0}, {-.2, 1, 0}}, {{0, 1, 2}}};
+  CHECK(!permits(rule(10), triangle));
+}
+
 void the_angle_of_the_split_rule_is_a_parameter()
 {
   CHECK(permits(IAR::Inter_angle_split_policy<>(100), edge_beside_an_angle_of(99)));
@@ -959,6 +974,7 @@ int main()
   an_obtuse_angle_opposite_of_the_edge_is_what_a_split_is_for();
   a_right_angle_is_not_obtuse();
   a_much_too_long_edge_is_split_beside_any_angle();
+  beside_needles_the_split_rule_yields_where_asked_to();
   the_angle_of_the_split_rule_is_a_parameter();
 
   collapses_stay_away_from_the_border();

@@ -155,6 +155,8 @@ public:
   std::array<double, 4> adjacent_angles() const { return in_degrees(adjacent_cosines()); }
   /// the largest of `adjacent_angles()`
   double maximum_adjacent_angle() const { return degrees(smallest(adjacent_cosines())); }
+  /// the smallest of `adjacent_angles()`, without those of a missing face
+  double minimum_adjacent_angle() const { return degrees(maximum_adjacent_cosine()); }
   /// the angles at `left_vertex()` and at `right_vertex()`; 0 in place of that of a missing face
   std::array<double, 2> opposite_angles() const { return in_degrees(opposite_cosines()); }
   /// the angle between the normals of the two faces: 0 where the surface is flat, and on the border;
@@ -199,6 +201,14 @@ public:
 #ifndef DOXYGEN_RUNNING
   // The same angles by their cosines, for thresholds that need no arc cosine: -1 is 180 degrees, 1 is 0 degrees.
   double minimum_adjacent_cosine() const { return smallest(adjacent_cosines()); }
+  double maximum_adjacent_cosine() const
+  {
+    const std::array<double, 4> cosines = adjacent_cosines();
+    double result = -1;
+    if (has_left_face()) result = (std::max)({result, cosines[0], cosines[1]});
+    if (has_right_face()) result = (std::max)({result, cosines[2], cosines[3]});
+    return result;
+  }
   double minimum_flipped_cosine() const { return smallest(flipped_cosines()); }
   double dihedral_cosine() const;
 #endif
