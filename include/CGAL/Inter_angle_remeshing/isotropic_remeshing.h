@@ -76,7 +76,7 @@ number of faces of the range and of the result, per iteration.
   \cgalParamNBegin{do_split}
     \cgalParamDescription{whether edges are split: a `bool`, or a policy that is asked for each edge that is too long}
     \cgalParamType{`bool`, or a model of `RemeshingPolicy`}
-    \cgalParamDefault{`Inter_angle_split_policy` with a `needle_angle` of 3 degrees, as `Recipe::policies` has it}
+    \cgalParamDefault{`Inter_angle_split_policy` as `Recipe::policies` has it, on CAD models with a `needle_angle` of 3 degrees}
   \cgalParamNEnd
   \cgalParamNBegin{do_collapse}
     \cgalParamDescription{whether edges are collapsed: a `bool`, or a policy that is asked for each edge that is too short}

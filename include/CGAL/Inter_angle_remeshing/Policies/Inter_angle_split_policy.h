@@ -39,7 +39,7 @@ public:
   /// @param base a policy that must permit the split, too
   /// @param yield_ratio edges longer than this many times their target length are not held back
   /// @param needle_angle edges beside an angle of less than so many degrees are not held back, either; by default, there are none.
-  ///        Where the user hands no policy over, 3, but not with `Recipe::Policies::paper`
+  ///        Where the user hands no policy over, 3 on CAD models, but not with `Recipe::Policies::paper`
   explicit Inter_angle_split_policy(double maximum_angle = 90, Base base = Base(), double yield_ratio = 2, double needle_angle = 0)
     : cosine_(maximum_angle < 180 ? std::cos(maximum_angle * (CGAL_PI / 180)) : -2),
       yield_ratio_(yield_ratio), needle_cosine_(needle_angle > 0 ? std::cos(needle_angle * (CGAL_PI / 180)) : 2), base_(base)

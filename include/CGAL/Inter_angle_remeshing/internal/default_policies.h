@@ -23,7 +23,7 @@ inline Inter_angle_split_policy<> default_split_policy(Recipe::Policies policies
 {
   if (policies == Recipe::Policies::paper)
     return Inter_angle_split_policy<>(90, Permit_all(), std::numeric_limits<double>::infinity());
-  return Inter_angle_split_policy<>(90, Permit_all(), 2, 3);
+  return Inter_angle_split_policy<>();
 }
 
 inline Inter_angle_collapse_policy<> default_collapse_policy(Recipe::Policies policies)

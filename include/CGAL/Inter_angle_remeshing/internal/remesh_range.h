@@ -5,6 +5,7 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESH_RANGE_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESH_RANGE_H
 
+#include <CGAL/Inter_angle_remeshing/Policies/Inter_angle_split_policy.h>
 #include <CGAL/Inter_angle_remeshing/internal/angle_summary.h>
 #include <CGAL/Inter_angle_remeshing/internal/attribute_exchange.h>
 #include <CGAL/Inter_angle_remeshing/internal/check_recipe.h>
@@ -92,6 +93,17 @@ bool may_merge_curve_vertices(const Parameters& parameters, const Input_kind& ki
          std::is_same<std::decay_t<decltype(parameters.face_patch_map)>, No_map>::value;
 }
 
+// That of the parameters; where it was left to the recipe, the one for CAD models, on which curves with many vertices hold needles.
+template <class Parameters>
+auto split_policy(const Parameters& parameters, const Input_kind& kind)
+{
+  constexpr double NEEDLE_ANGLE = 3;
+  using Policy = std::decay_t<decltype(parameters.split_policy)>;
+  if constexpr (std::is_same<Policy, Inter_angle_split_policy<>>::value)
+    if (parameters.may_subdivide && kind.is_cad) return Policy(90, Permit_all(), 2, NEEDLE_ANGLE);
+  return parameters.split_policy;
+}
+
 // Whether features may be given up. A vertex that the user holds is one of theirs as a corner is.
 template <class Parameters>
 bool may_release_features(const Parameters& parameters, const Input_kind& kind)
@@ -171,7 +183,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
                                                [&](const Projection& projector, const auto&... restore) {
     std::optional<Input_locator> locator;
     if (wanted.sizing.needs_places() || attributes.are_carried()) locator.emplace(projector, mesh);
-    Remeshing_context context{mesh, parameters.recipe, curves, rule(parameters.split_policy), rule(parameters.collapse_policy),
+    Remeshing_context context{mesh, parameters.recipe, curves, rule(split_policy(parameters, kind)), rule(parameters.collapse_policy),
                               rule(parameters.flip_policy), projector, parameters.visitor, parameters.may_collapse_constraints,
                               target, may_release_features(parameters, kind), parameters.may_subdivide, wanted.sizing,
                               locator ? &*locator : nullptr, has_small_details ? parameters.recipe.grading : 0.,
