@@ -9,7 +9,6 @@
 #include <CGAL/Inter_angle_remeshing/internal/angle_energy.h>
 #include <CGAL/Inter_angle_remeshing/internal/curves.h>
 
-#include <cstddef>
 #include <vector>
 
 // Where parts of an implicit surface or of a wrap meet, creases are jagged: corners of features lie so close together that the faces
@@ -26,8 +25,7 @@ class Feature_release
 public:
   explicit Feature_release(Remeshing_context& context) : context_(context), mesh_(context.mesh) {}
 
-  // Returns the number of features that are none any longer.
-  std::size_t run()
+  void run()
   {
     std::vector<Index> vertices;
     const Angle_band band(LEAST_ANGLE, 180);
@@ -38,9 +36,7 @@ public:
       for (const Index u : v)
         if (is_close_corner(u)) vertices.push_back(u);
     }
-    std::size_t released = 0;
-    for (const Index v : vertices) released += release(v);
-    return released;
+    for (const Index v : vertices) release(v);
   }
 
 private:
@@ -67,7 +63,7 @@ private:
       return !mesh_.is_marked_by_user(h) && !mesh_.is_protected(h) && !mesh_.is_protected(mesh_.next(h)); });
   }
 
-  std::size_t release(Index v)
+  void release(Index v)
   {
     std::vector<Index> features;
     for_each_curve_halfedge(mesh_, v, [&](Index h) { features.push_back(h); });
@@ -76,7 +72,6 @@ private:
       settle(mesh_.target(h));
     }
     settle(v);
-    return features.size();
   }
 
   // A vertex that has lost features is the end of the others, or free.
