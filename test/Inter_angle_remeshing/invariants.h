@@ -28,6 +28,7 @@ using Vector = Kernel::Vector_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Vertex = Mesh::Vertex_index;
 using Edge = Mesh::Edge_index;
+using Halfedge = Mesh::Halfedge_index;
 using Face = Mesh::Face_index;
 
 // --- topology ----------------------------------------------------------------------------------------------------

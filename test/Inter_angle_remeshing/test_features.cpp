@@ -1232,7 +1232,6 @@ Mesh segmentation(const std::array<int, 3>& size, const std::array<double, 3>& v
 // The mesh without the vertices around which it is flat, as simplification leaves it.
 Mesh without_flat_vertices(Mesh m)
 {
-  using Halfedge = Mesh::Halfedge_index;
   const auto cross = [&](Vertex u, Vertex v, Vertex w) {
     return CGAL::cross_product(m.point(v) - m.point(u), m.point(w) - m.point(u)); };
   const auto normal = [&](Halfedge h) { return cross(source(h, m), target(h, m), target(next(h, m), m)); };
@@ -1656,7 +1655,6 @@ void folded_slivers_are_no_features()
     y *= 3;
   }
   Mesh m = meshes::to_mesh<Mesh>(gutter);
-  using Halfedge = Mesh::Halfedge_index;
   const std::vector<Halfedge> all(m.halfedges_begin(), m.halfedges_end());
   int slivers = 0;
   for(const Halfedge h : all)

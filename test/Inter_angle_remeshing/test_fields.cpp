@@ -540,6 +540,12 @@ void linear_functions_are_kept()
   }
 }
 
+Vector unit_normal(Face f, const Mesh& m)
+{
+  const Vector n = normal(f, m);
+  return n / std::sqrt(n.squared_length());
+}
+
 // Faces take the attributes of where they lie; with patches, exactly. Vertices that stay keep their values to the last bit.
 void faces_and_kept_vertices()
 {
@@ -549,7 +555,7 @@ void faces_and_kept_vertices()
     return std::string(std::abs(n.x()) > .5 ? "x" : std::abs(n.y()) > .5 ? "y" : "z") + (n.x() + n.y() + n.z() > 0 ? "+" : "-");
   };
   for(const Face f : m.faces())
-    side[f] = name_of(normal(f, m));
+    side[f] = name_of(unit_normal(f, m));
   const auto is_side_x = m.add_property_map<Face, bool>("f:x", false).first;
   for(const Face f : m.faces())
     is_side_x[f] = side[f][0] == 'x';
@@ -572,7 +578,7 @@ void faces_and_kept_vertices()
   transfer.add_vertex_map(value);
   IAR::isotropic_remeshing(.7 * mean_edge_length(m), m, parameters::visitor(std::ref(transfer)).vertex_is_constrained_map(is_kept));
   for(const Face f : m.faces())
-    CHECK_MESSAGE(side[f] == name_of(normal(f, m)) && is_side_x[f] == (side[f][0] == 'x'), side[f]);
+    CHECK_MESSAGE(side[f] == name_of(unit_normal(f, m)) && is_side_x[f] == (side[f][0] == 'x'), side[f]);
   for(const auto& [v, x] : kept)
     CHECK(!m.is_removed(v) && value[v] == x);
   for(const Vertex v : m.vertices())
@@ -625,6 +631,157 @@ void attributes_stay_in_their_patches(const std::string& name)
   run(parameters::do_project(true));
   run(parameters::do_project(false));
   run(parameters::projection_functor([](const Point& p) { return p; }));
+}
+
+// --- attributes of corners ---------------------------------------------------------------------------------------
+
+// Checks that the attribute of corners has seams at the marked edges, and nowhere else.
+template <class Marks>
+void seams_are_the_marked_edges(const Mesh& m, const IAR::Attribute_transfer<Mesh>& transfer, const Marks& is_marked)
+{
+  std::map<Edge, bool> is_seam;
+  const std::size_t seams = transfer.mark_seams(m, boost::make_assoc_property_map(is_seam));
+  CHECK(seams == is_seam.size() && seams > 0);
+  for(const Edge e : m.edges())
+    if(!m.is_border(e))
+      CHECK_MESSAGE(is_marked[e] == (is_seam.count(e) > 0), m.point(m.vertex(e, 0)) << " to " << m.point(m.vertex(e, 1)));
+}
+
+// Texture coordinates go around a torus twice, and jump where they begin anew.
+constexpr double TORUS_RADIUS = .4;
+using Texture = Mesh::Property_map<Halfedge, Kernel::Point_2>;
+
+Kernel::Point_2 place_on_torus(const Point& p)
+{
+  const double pi = std::acos(-1.), to_axis = std::hypot(p.x(), p.y());
+  const auto turns = [&](double y, double x) {
+    const double t = std::atan2(y, x) / (2 * pi);
+    return t < -1e-9 ? t + 1 : (std::max)(t, 0.);
+  };
+  return {turns(p.y(), p.x()), turns(p.z(), to_axis - 1)};
+}
+Point point_on_torus(const Kernel::Point_2& t)
+{
+  const double a = 2 * std::acos(-1.) * t.x(), b = 2 * std::acos(-1.) * t.y(), to_axis = 1 + TORUS_RADIUS * std::cos(b);
+  return {to_axis * std::cos(a), to_axis * std::sin(a), TORUS_RADIUS * std::sin(b)};
+}
+Texture texture_of_torus(Mesh& m)
+{
+  const Texture texture = m.add_property_map<Halfedge, Kernel::Point_2>("h:texture").first;
+  for(const Face f : m.faces())
+  {
+    std::array<double, 2> largest{0, 0};
+    for(const Halfedge h : m.halfedges_around_face(m.halfedge(f)))
+      for(int k = 0; k < 2; ++k)
+        largest[k] = (std::max)(largest[k], place_on_torus(m.point(m.target(h)))[k]);
+    for(const Halfedge h : m.halfedges_around_face(m.halfedge(f)))
+    {
+      const Kernel::Point_2 t = place_on_torus(m.point(m.target(h)));
+      texture[h] = {t.x() + (largest[0] - t.x() > .5), t.y() + (largest[1] - t.y() > .5)};
+    }
+  }
+  return texture;
+}
+
+void texture_coordinates_keep_their_seams()
+{
+  const Mesh input = meshes::to_mesh<Mesh>(meshes::torus(48, 20, TORUS_RADIUS));
+  const auto run = [&](double factor, const auto& np) {
+    Mesh m = input;
+    const Texture texture = texture_of_torus(m);
+    const auto is_marked = m.add_property_map<Edge, bool>("e:marked", false).first;
+    IAR::Attribute_transfer<Mesh> transfer;
+    transfer.add_corner_map(texture);
+    CHECK(transfer.mark_seams(m, is_marked) == 48 + 20);
+    IAR::isotropic_remeshing(factor * mean_edge_length(input), m, np.visitor(std::ref(transfer)).edge_is_constrained_map(is_marked));
+    seams_are_the_marked_edges(m, transfer, is_marked);
+    for(const Face f : m.faces())
+      for(const Halfedge h : m.halfedges_around_face(m.halfedge(f)))
+      {
+        const Kernel::Point_2 t = texture[h], next = texture[m.next(h)];
+        CHECK_MESSAGE(CGAL::squared_distance(point_on_torus(t), m.point(m.target(h))) < CGAL::square(.2 * mean_edge_length(input)),
+                      factor << ": " << t << " at " << m.point(m.target(h)));
+        CHECK(t.x() >= 0 && t.x() <= 1 && t.y() >= 0 && t.y() <= 1);
+        CHECK(std::abs(t.x() - next.x()) < .5 && std::abs(t.y() - next.y()) < .5);
+      }
+  };
+  for(const double factor : {.5, 1., 2.})
+    run(factor, parameters::do_project(true));
+  run(.8, parameters::do_project(false));
+  run(.8, parameters::projection_functor([](const Point& p) { return p; }));
+  const IAR::Closest_point_projector<Mesh> projector(input);
+  run(.8, parameters::projection_functor(std::ref(projector)));
+  run(.5, parameters::protect_constraints(true));
+}
+
+// Outside the range corners keep their values to the last bit, and so do those that they share with it.
+void corners_outside_the_range_are_kept()
+{
+  Mesh m = meshes::to_mesh<Mesh>(meshes::torus(48, 20, TORUS_RADIUS));
+  const double length = .5 * mean_edge_length(m);
+  const Texture texture = texture_of_torus(m);
+  const auto is_marked = m.add_property_map<Edge, bool>("e:marked", false).first;
+  std::vector<Face> range;
+  std::map<Halfedge, Kernel::Point_2> outside;
+  for(const Face f : m.faces())
+    if(m.point(m.target(m.halfedge(f))).x() > .3)
+      range.push_back(f);
+    else
+      for(const Halfedge h : m.halfedges_around_face(m.halfedge(f)))
+        outside[h] = texture[h];
+  IAR::Attribute_transfer<Mesh> transfer;
+  transfer.add_corner_map(texture);
+  transfer.mark_seams(m, is_marked);
+  IAR::isotropic_remeshing(range, length, m, parameters::visitor(std::ref(transfer)).edge_is_constrained_map(is_marked));
+  for(const auto& [h, t] : outside)
+    CHECK(!m.is_removed(h) && texture[h] == t);
+  seams_are_the_marked_edges(m, transfer, is_marked);
+}
+
+// A seam that ends inside a sheet: turns around its middle, from -.5 to .5.
+void a_seam_may_end_inside()
+{
+  Mesh m = meshes::to_mesh<Mesh>(meshes::square(8));
+  const auto turns = [&](const Point& p, bool is_above) {
+    const double t = std::atan2(p.y() - .5, p.x() - .5) / (2 * std::acos(-1.));
+    return std::abs(p.y() - .5) > 1e-9 ? t : p.x() > .5 - 1e-9 ? 0 : is_above ? .5 : -.5;
+  };
+  const auto is_above = [&](Face f) {
+    double y = 0;
+    for(const Vertex v : m.vertices_around_face(m.halfedge(f)))
+      y += m.point(v).y() / 3;
+    return y > .5;
+  };
+  const auto value = m.add_property_map<Halfedge, double>("h:turns", 0).first;
+  const auto is_marked = m.add_property_map<Edge, bool>("e:marked", false).first;
+  for(const Face f : m.faces())
+    for(const Halfedge h : m.halfedges_around_face(m.halfedge(f)))
+      value[h] = turns(m.point(m.target(h)), is_above(f));
+  IAR::Attribute_transfer<Mesh> transfer;
+  transfer.add_corner_map(value);
+  CHECK(transfer.mark_seams(m, is_marked) == 4);
+  IAR::isotropic_remeshing(.05, m, parameters::visitor(transfer).edge_is_constrained_map(is_marked));
+  seams_are_the_marked_edges(m, transfer, is_marked);
+  for(const Face f : m.faces())
+    for(const Halfedge h : m.halfedges_around_face(m.halfedge(f)))
+      if(const Point& p = m.point(m.target(h)); std::hypot(p.x() - .5, p.y() - .5) > .2)
+        CHECK_MESSAGE(std::abs(value[h] - turns(p, is_above(f))) < .02, p << ": " << value[h]);
+}
+
+// The normals of the sides of a part, which jump at the features that are found.
+void normals_jump_at_features()
+{
+  Mesh m = meshes::to_mesh<Mesh>(meshes::cube(6));
+  const auto corner_normal = m.add_property_map<Halfedge, Vector>("h:normal").first;
+  for(const Face f : m.faces())
+    for(const Halfedge h : m.halfedges_around_face(m.halfedge(f)))
+      corner_normal[h] = unit_normal(f, m);
+  IAR::Attribute_transfer<Mesh> transfer;
+  transfer.add_corner_map(corner_normal);
+  IAR::isotropic_remeshing(.07, m, parameters::visitor(transfer));
+  for(const Face f : m.faces())
+    for(const Halfedge h : m.halfedges_around_face(m.halfedge(f)))
+      CHECK((corner_normal[h] - unit_normal(f, m)).squared_length() < 1e-18);
 }
 
 // A projector of Polygon_mesh_processing's kind lends a vertex of the range during the run; that vertex keeps its value, too.
@@ -710,6 +867,10 @@ int main()
   attributes_with_every_projector();
   for(const char* name : {"mushroom", "couplingdown", "elephant"})
     attributes_stay_in_their_patches(name);
+  texture_coordinates_keep_their_seams();
+  corners_outside_the_range_are_kept();
+  a_seam_may_end_inside();
+  normals_jump_at_features();
   the_lent_vertex_keeps_its_value();
   readers_see_the_input();
   nothing_is_lost();

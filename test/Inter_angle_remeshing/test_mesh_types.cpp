@@ -4,6 +4,7 @@
 // The same history - ranges, constraints, patches - on every type of mesh, kernel and property map: what comes out is the
 // same to the last bit, up to what the point map can hold.
 
+#include <CGAL/Inter_angle_remeshing/Attribute_transfer.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -367,6 +368,41 @@ public:
     return report;
   }
 
+  // Of a square whose halves are two patches: vertices carry their x, corners that of their vertex and the number of their half.
+  void carry_attributes(double length)
+  {
+    Table<Vertex, double> of_vertex;
+    Table<Halfedge_of<Graph>, double> of_corner;
+    for(const Vertex v : vertices(g_))
+      put(of_vertex, v, position(v)[0]);
+    for(const Face f : faces(g_))
+    {
+      put(patches_, f, centroid(f)[0] < .5 ? 1 : 2);
+      for(const auto h : CGAL::halfedges_around_face(halfedge(f, g_), g_))
+        put(of_corner, h, position(target(h, g_))[0] + get(patches_, f));
+    }
+    IAR::Attribute_transfer<Graph> transfer;
+    transfer.add_vertex_map(of_vertex);
+    transfer.add_corner_map(of_corner);
+    transfer.add_face_map(patches_);
+    Marks<Edge_of<Graph>> seams;
+    CHECK(transfer.mark_seams(g_, seams) == 6);
+    const auto np = parameters::visitor(transfer).face_patch_map(patches_);
+    if constexpr(HAS_OWN_POINTS)
+      IAR::isotropic_remeshing(length, g_, np);
+    else
+      IAR::isotropic_remeshing(length, g_, np.vertex_point_map(points_));
+    check_validity();
+    for(const Vertex v : vertices(g_))
+      CHECK(std::abs(get(of_vertex, v) - position(v)[0]) < 1e-6);
+    for(const Face f : faces(g_))
+    {
+      CHECK(get(patches_, f) == (centroid(f)[0] < .5 ? 1 : 2));
+      for(const auto h : CGAL::halfedges_around_face(halfedge(f, g_), g_))
+        CHECK(std::abs(get(of_corner, h) - position(target(h, g_))[0] - get(patches_, f)) < 1e-6);
+    }
+  }
+
   bool is_marked(Edge_of<Graph> e) const { return get(edge_marks_, e); }
 
   State state() const
@@ -513,12 +549,21 @@ History history_of_a_whole_mesh()
 }
 
 template <class Graph, class Place>
+History history_of_attributes()
+{
+  Subject<Graph, Place> s(in_floats(meshes::square(6)));
+  s.carry_attributes(.1);
+  return {{"a square with attributes", s.state()}};
+}
+
+template <class Graph, class Place>
 History history()
 {
   History result = history_of_ranges<Graph, Place>();
   for(auto&& entry : history_of_constraints<Graph, Place>())
     result.push_back(entry);
   result.push_back(history_of_a_whole_mesh<Graph, Place>().front());
+  result.push_back(history_of_attributes<Graph, Place>().front());
   return result;
 }
 

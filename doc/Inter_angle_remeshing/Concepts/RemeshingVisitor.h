@@ -86,8 +86,8 @@ public:
 
   /// \name Attributes
   ///
-  /// These members may be missing: those about vertices, those about faces, or all. `Vertex` and `Face` are descriptors of the user's
-  /// mesh. Readers are called when the remesher is done, and the user's mesh still is the input; writers when it is the result.
+  /// These members may be missing: those about vertices, those about corners, those about faces, or all. `Vertex`, `Halfedge` and
+  /// `Face` are descriptors of the user's mesh. Readers are called when the remesher is done, and the user's mesh still is the input; writers when it is the result.
   /// An exception that a writer throws leaves the result as it is. Elements are numbered from 0, and come in this order.
   /// `CGAL::Inter_angle_remeshing::Attribute_transfer` is a model that has them.
   /// @{
@@ -97,6 +97,12 @@ public:
   template <class Vertex>
   void read_vertex(std::size_t i, const std::array<Vertex, 3>& corners, const std::array<double, 3>& coordinates);
 
+  /// called for number `i` of the values that corners of the result have: the corners at a vertex between two curves (borders,
+  /// constrained edges, borders of patches, features), or at a vertex on none, have one. They lie on a face of the input, on the same
+  /// side of these curves, with these barycentric coordinates at the corners to which the half-edges point.
+  template <class Halfedge>
+  void read_corner(std::size_t i, const std::array<Halfedge, 3>& corners, const std::array<double, 3>& coordinates);
+
   /// called for face number `i` of the result, whose centroid lies on face `f` of the input, in the same patch.
   template <class Face>
   void read_face(std::size_t i, Face f);
@@ -104,6 +110,10 @@ public:
   /// called for vertex number `i` of the result, which is `v` now.
   template <class Vertex>
   void write_vertex(std::size_t i, Vertex v);
+
+  /// called for each corner that has value number `i`, the one to which `h` points, of the face of `h`: in the order of the faces.
+  template <class Halfedge>
+  void write_corner(std::size_t i, Halfedge h);
 
   /// called for face number `i` of the result, which is `f` now.
   template <class Face>

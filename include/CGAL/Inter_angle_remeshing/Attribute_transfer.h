@@ -8,6 +8,8 @@
 #include <CGAL/Inter_angle_remeshing/Default_visitor.h>
 #include <CGAL/Inter_angle_remeshing/internal/linear_combination.h>
 
+#include <CGAL/boost/graph/helpers.h>
+
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
@@ -58,11 +60,18 @@ struct Nearest_value
 /*!
 \ingroup PkgInterAngleRemeshingRef
 
-@brief a visitor that carries attributes of vertices and faces over from the input to the result.
+@brief a visitor that carries attributes of vertices, corners and faces over from the input to the result.
 
 A vertex of the result lies at a point of a face of the input, the one that the projector leaves it at; its attributes are
 interpolated from that face's corners. A face of the result takes the attributes of the face of the input at its centroid, in the
 same patch. Vertices that have not moved keep their values to the last bit.
+
+Attributes of corners are those that may have several values at a vertex, as texture coordinates have at a seam, or normals at a
+sharp edge: their maps have half-edges as keys, and h stands for the corner of its face at its target. A corner of the result is
+interpolated from the corners of a face of the input on the same side of the curves (borders, constrained edges, borders of patches,
+features) on which its vertex lies. All corners between two curves have the same value to the last bit, and so have those at a
+vertex on no curve: an attribute stays discontinuous at curves, and nowhere else. So its seams must be curves: `mark_seams()` marks
+them.
 
 \code
 Attribute_transfer<Mesh> transfer;
@@ -73,9 +82,7 @@ isotropic_remeshing(faces(mesh), 0.02, mesh, parameters::visitor(transfer));
 
 Values are read before the mesh is changed, and written when the result stands: an exception from a map or an interpolation while
 reading leaves everything as it was. The maps must stay valid while elements are added to the mesh; so do the property maps
-of `Surface_mesh`, and dynamic property maps. At a seam, where an attribute has two values at one vertex, as texture
-coordinates have, this does not help, and there is no map for half-edges: mark seams as constrained edges, which keeps them in their
-places, carry the number of the chart as an attribute of faces, and look up what corners need in that chart of the input.
+of `Surface_mesh`, and dynamic property maps. Nothing is written to half-edges of the border.
 
 A copy shares the attributes and what is read of them with the original: that one may be handed over as it is, or by `std::ref()`,
 but not to two runs at a time.
@@ -94,10 +101,13 @@ public:
 #ifdef DOXYGEN_RUNNING
   /// the vertices
   typedef unspecified_type vertex_descriptor;
+  /// the half-edges
+  typedef unspecified_type halfedge_descriptor;
   /// the faces
   typedef unspecified_type face_descriptor;
 #else
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 #endif
 
@@ -108,7 +118,38 @@ public:
   template <class VertexMap, class Interpolation = Linear_interpolation>
   void add_vertex_map(VertexMap map, Interpolation interpolation = Interpolation())
   {
-    vertex_maps_.push_back(std::make_shared<Vertex_carrier<VertexMap, Interpolation>>(map, std::move(interpolation)));
+    vertex_maps_.push_back(std::make_shared<Carrier<vertex_descriptor, VertexMap, Interpolation>>(map, std::move(interpolation)));
+  }
+
+  /// adds an attribute of the corners.
+  /// @tparam HalfedgeMap a class model of `ReadWritePropertyMap` with the half-edges of `TriangleMesh` as key type; its values can be
+  ///         compared by `==`
+  /// @tparam Interpolation as for `add_vertex_map()`
+  template <class HalfedgeMap, class Interpolation = Linear_interpolation>
+  void add_corner_map(HalfedgeMap map, Interpolation interpolation = Interpolation())
+  {
+    corner_maps_.push_back(std::make_shared<Corner_carrier<HalfedgeMap, Interpolation>>(map, std::move(interpolation)));
+  }
+
+  /// marks the edges at which an attribute of corners that was added has other values on one side than on the other one. Handed over
+  /// as `edge_is_constrained_map`, they keep their places; `detect_features()` adds the features, which are not looked for then.
+  /// @tparam EdgeMap a class model of `WritablePropertyMap` with the edges of `TriangleMesh` as key type and `bool` as value type;
+  ///         `true` is put for seams, nothing for other edges
+  /// @returns the number of these edges
+  template <class EdgeMap>
+  std::size_t mark_seams(const TriangleMesh& mesh, EdgeMap is_seam) const
+  {
+    std::size_t n = 0;
+    for (const auto& e : edges(mesh)) {
+      const halfedge_descriptor h = halfedge(e, mesh), o = opposite(h, mesh);
+      if (is_border(h, mesh) || is_border(o, mesh)) continue;
+      const halfedge_descriptor before_h = prev(h, mesh), before_o = prev(o, mesh);
+      if (std::none_of(corner_maps_.begin(), corner_maps_.end(), [&](const auto& map) {
+            return map->differs(h, before_o) || map->differs(o, before_h); })) continue;
+      put(is_seam, e, true);
+      ++n;
+    }
+    return n;
   }
 
   /// adds an attribute of the faces.
@@ -124,6 +165,11 @@ public:
   {
     for (const auto& map : vertex_maps_) map->read(i, corners, coordinates);
   }
+  /// reads what the corners of number `i` are to have.
+  void read_corner(std::size_t i, const std::array<halfedge_descriptor, 3>& corners, const std::array<double, 3>& coordinates)
+  {
+    for (const auto& map : corner_maps_) map->read(i, corners, coordinates);
+  }
   /// reads what face number `i` of the result is to have.
   void read_face(std::size_t i, face_descriptor f)
   {
@@ -134,6 +180,11 @@ public:
   {
     for (const auto& map : vertex_maps_) map->write(i, v);
   }
+  /// writes the attributes of a corner of number `i`.
+  void write_corner(std::size_t i, halfedge_descriptor h)
+  {
+    for (const auto& map : corner_maps_) map->write(i, h);
+  }
   /// writes the attributes of face number `i`.
   void write_face(std::size_t i, face_descriptor f)
   {
@@ -142,11 +193,17 @@ public:
   /// @}
 
 private:
-  struct Vertex_carrier_base
+  // What is interpolated between three elements.
+  template <class Element>
+  struct Carrier_base
   {
-    virtual ~Vertex_carrier_base() = default;
-    virtual void read(std::size_t i, const std::array<vertex_descriptor, 3>&, const std::array<double, 3>&) = 0;
-    virtual void write(std::size_t i, vertex_descriptor v) = 0;
+    virtual ~Carrier_base() = default;
+    virtual void read(std::size_t i, const std::array<Element, 3>&, const std::array<double, 3>&) = 0;
+    virtual void write(std::size_t i, Element e) = 0;
+  };
+  struct Corner_carrier_base : Carrier_base<halfedge_descriptor>
+  {
+    virtual bool differs(halfedge_descriptor h, halfedge_descriptor g) const = 0;
   };
   struct Face_carrier_base
   {
@@ -171,26 +228,38 @@ private:
     std::deque<Value> values_;                   // whose elements are bools, too, can be referred to
   };
 
-  template <class Map, class Interpolation>
-  class Vertex_carrier final : public Vertex_carrier_base
+  template <class Element, class Map, class Interpolation, class Base = Carrier_base<Element>>
+  class Carrier : public Base
   {
     using Value = typename boost::property_traits<Map>::value_type;
 
   public:
-    Vertex_carrier(Map map, Interpolation interpolation) : map_(map), interpolation_(std::move(interpolation)) {}
-    void read(std::size_t i, const std::array<vertex_descriptor, 3>& corners, const std::array<double, 3>& coordinates) override
+    Carrier(Map map, Interpolation interpolation) : map_(map), interpolation_(std::move(interpolation)) {}
+    void read(std::size_t i, const std::array<Element, 3>& corners, const std::array<double, 3>& coordinates) override
     {
       if (coordinates[0] == 1) values_.set(i, get(map_, corners[0]));
       else
         values_.set(i, interpolation_(std::array<Value, 3>{get(map_, corners[0]), get(map_, corners[1]), get(map_, corners[2])},
                                       coordinates));
     }
-    void write(std::size_t i, vertex_descriptor v) override { put(map_, v, values_.get(i)); }
+    void write(std::size_t i, Element e) override { put(map_, e, values_.get(i)); }
+
+  protected:
+    Map map_;
 
   private:
-    Map map_;
     Interpolation interpolation_;
     Values<Value> values_;
+  };
+
+  template <class Map, class Interpolation>
+  struct Corner_carrier final : Carrier<halfedge_descriptor, Map, Interpolation, Corner_carrier_base>
+  {
+    using Carrier<halfedge_descriptor, Map, Interpolation, Corner_carrier_base>::Carrier;
+    bool differs(halfedge_descriptor h, halfedge_descriptor g) const override
+    {
+      return !(get(this->map_, h) == get(this->map_, g));
+    }
   };
 
   template <class Map>
@@ -206,7 +275,8 @@ private:
     Values<typename boost::property_traits<Map>::value_type> values_;
   };
 
-  std::vector<std::shared_ptr<Vertex_carrier_base>> vertex_maps_;
+  std::vector<std::shared_ptr<Carrier_base<vertex_descriptor>>> vertex_maps_;
+  std::vector<std::shared_ptr<Corner_carrier_base>> corner_maps_;
   std::vector<std::shared_ptr<Face_carrier_base>> face_maps_;
 };
 

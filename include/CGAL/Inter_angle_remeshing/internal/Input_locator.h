@@ -61,17 +61,43 @@ public:
   // Of the centroid of face f, in the patch of the face that it descends from.
   Input_place place_of_face(const Remeshing_mesh& mesh, Index f) const
   {
-    const auto& record = mesh.face_record(f);
-    Vector3 centroid;
-    for (const Index v : record.vertex) centroid += (1. / 3) * mesh.position(v);
-    const Index start = (*face_of_source_)[record.source];
-    if (copy_ == nullptr) return place_by_walk(centroid, start);
-    Index nearest = 0;
-    copy_->locate(centroid, nearest);
-    return patch_[nearest] == patch_[start] ? place_on_face(centroid, nearest) : place_by_walk(centroid, start);
+    const Vector3 centroid = centroid_of(mesh, f);
+    return place_on_face(centroid, face_at_centroid(mesh, f, centroid));
+  }
+  // Of the origin of h, on that side of the curves there on which the face of h is.
+  Input_place place_of_corner(const Remeshing_mesh& mesh, Index h) const
+  {
+    const Vector3 centroid = centroid_of(mesh, mesh.face(h)), p = mesh.position(mesh.origin(h));
+    Index f = face_at_centroid(mesh, mesh.face(h), centroid);
+    for (int i = 1; i < STRIDES; ++i) surface_->walk(factor_ * (centroid + (double(i) / STRIDES) * (p - centroid)), f);
+    return place_by_walk(p, f);
   }
 
 private:
+  // A walk to a corner is made in so many parts, so that bends of the surface on its way do not end it.
+  static constexpr int STRIDES = 4;
+
+  static Vector3 centroid_of(const Remeshing_mesh& mesh, Index f)
+  {
+    Vector3 centroid;
+    for (const Index v : mesh.face_record(f).vertex) centroid += (1. / 3) * mesh.position(v);
+    return centroid;
+  }
+
+  // The face of the surface that is nearest to the centroid of face f, in the patch of the one that f descends from.
+  Index face_at_centroid(const Remeshing_mesh& mesh, Index f, const Vector3& centroid) const
+  {
+    const Index start = (*face_of_source_)[mesh.face_record(f).source];
+    Index nearest = start;
+    if (copy_ != nullptr) {
+      copy_->locate(centroid, nearest);
+      if (patch_[nearest] == patch_[start]) return nearest;
+      nearest = start;
+    }
+    surface_->walk(factor_ * centroid, nearest);
+    return nearest;
+  }
+
   // Which faces of the copy hang together without a barrier in between, and where the faces of the input are in it.
   void note_patches()
   {
