@@ -1760,6 +1760,36 @@ void jagged_creases_leave_room_for_good_angles()
   }
 }
 
+// What has grown and is as flat as a leaf has a rim that is a tangle of sharp edges: no features of a part, which would leave needles.
+void leaves_are_no_cad_models()
+{
+  struct Case { const char* name; double height; };
+  std::vector<Case> cases = {{"elephant", .1}};
+  if(!meshes::is_small_run())
+    cases.insert(cases.end(), {{"homer", .05}, {"knot1", .05}, {"triceratops", .1}, {"elephant", .02}});
+  for(const auto& [name, height] : cases)
+  {
+    Mesh input = models::of_cgal(name);
+    for(const Vertex v : input.vertices())
+      input.point(v) = Point(input.point(v).x(), input.point(v).y(), height * input.point(v).z());
+    for(const double factor : {.5, 1., 2.})
+    {
+      Mesh m = input;
+      const double length = factor * mean_edge_length(input);
+      const auto report = IAR::isotropic_remeshing(length, m);
+      m.collect_garbage();
+      CHECK_MESSAGE(report.features != Features::all_sharp_edges, name);
+      CHECK(topology(m) == topology(input));
+      CHECK_MESSAGE(300 * report.crossing_faces < m.number_of_faces(), name << ": " << report.crossing_faces);
+      const auto histogram = IAR::inter_angle_statistics(m).histogram;      // bins of 5 degrees
+      const std::size_t needles = histogram[0] + histogram[1] + histogram[2];
+      CHECK_MESSAGE(300 * needles < m.number_of_faces(), name << ": " << needles);
+      CHECK_MESSAGE(factor * factor * m.number_of_faces() < 1.4 * input.number_of_faces(), name << ": " << m.number_of_faces());
+      CHECK_MESSAGE(IAR::surface_distance(input, m).mean() < .1 * length, name << ": " << IAR::surface_distance(input, m).mean() / length);
+    }
+  }
+}
+
 // Between curves with many vertices, edges across are sides of needles, which obtuse angles would hold back from being split.
 void dense_curves_leave_no_needles()
 {
@@ -1834,6 +1864,7 @@ int main()
   what_resembles_stairs_keeps_its_edges();
   one_rim_of_a_jagged_chamfer_is_a_feature();
   jagged_creases_leave_room_for_good_angles();
+  leaves_are_no_cad_models();
   grading_mends_jagged_borders();
   dense_curves_leave_no_needles();
   round_rims_are_coarsened();

@@ -41,6 +41,8 @@ it is if m < 3.5 t and the edges of 40 degrees and more form a network, as they 
 their length does not lead to a free end, and of its vertices, of which twelve at least are the ends of two of them, at most 40% are
 the ends of more, and a fifth of the others bend by more than 45 degrees. But unless m - p < s / 5, it is none if at a tenth of the
 vertices of these edges, fifty at least, two or more convex ones meet two or more concave ones: noise makes such saddles everywhere.
+What has grown and is as flat as a leaf is none, either: of the vertices of edges of 40 degrees and more, a hundred at least, more than
+3% are free ends and more than 3% junctions, and over more than 15% of the length of these edges the surface turns by 120 degrees and more.
 On a CAD model every edge of 40 degrees and more is a feature. But where two chains of them are the sides of a strip, one face
 across and narrower than a twentieth of the length, over which the surface turns by less than 120 degrees, as at a small bevel, only
 the sharper one is. A face that is ten times as long as high, with a dihedral angle of 150 degrees and more at one of its edges, is

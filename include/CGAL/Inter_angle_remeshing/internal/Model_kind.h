@@ -28,7 +28,8 @@ namespace internal {
 // a network then. Noise makes saddles of sharp edges everywhere, where two and more ridges meet two and more grooves; parts and what
 // has grown have few. Alpha wraps of parts have jagged chamfers instead of sharp edges: each of their rims as a curve of its
 // own would be more than edges of the length of these can follow. Marching cubes around what is marked in a volume leave the stairs of
-// its voxels, whose edges tell nothing about the object.
+// its voxels, whose edges tell nothing about the object. What has grown and is as flat as a leaf has sharp edges at its rim, too, and flat
+// ones elsewhere; but the sharp ones are a tangle, and over them the surface turns back.
 class Model_kind
 {
   using Index = Remeshing_mesh::Index;
@@ -47,6 +48,10 @@ class Model_kind
   // Meshes with fewer of them, or with this part of their vertices, may be clean and coarse.
   static constexpr std::size_t LEAST_NOISY_SADDLES = 100;
   static constexpr double CLEAN_SHARE = 0.035;
+  // Sharp edges are those of leaves where, of so many vertices at least, more than this part are free ends, and more than this part
+  // junctions, and over more than that part of their length the surface turns back.
+  static constexpr std::size_t LEAST_TANGLE = 100;
+  static constexpr double TANGLE_SHARE = 0.03, TURNING_ANGLE = 120, TURNING_SHARE = 0.15;
   // Edges of at least this angle are creases where they make up this part of the length of all edges.
   static constexpr double CREASE_ANGLE = 70, CREASE_SHARE = 0.05;
   // The part of the sharp edges of stairs of voxels that are rims of chamfers; voxels themselves have none. Where more than this part are
@@ -107,8 +112,8 @@ private:
   {
     const Lengths lengths = measure_edges();
     const std::vector<Index> candidates = sharp_edges(CAD_ANGLE);
-    count_saddles(candidates);
-    is_cad_ = looks_designed(lengths, candidates);
+    count_vertices(candidates);
+    is_cad_ = looks_designed(lengths, candidates) && !are_of_leaves(lengths);
     const Jagged_chamfers chamfers(normals_, candidates);
     has_voxel_stairs_ = are_stairs(chamfers);
     has_jagged_chamfers_ = is_cad_ && !has_voxel_stairs_ && chamfers.are_there(own_length_) &&
@@ -117,10 +122,11 @@ private:
     if (!is_cad_ && !has_voxel_stairs_) find_creases(lengths.all);
   }
 
-  // The lengths of all edges, of sharp ones, of those in between, and of these where they are between facets.
+  // The lengths of all edges, of sharp ones, of those of them over which the surface turns back, of those in between, and of these where
+  // they are between facets.
   struct Lengths
   {
-    double all = 0, sharp = 0, mild = 0, facets = 0;
+    double all = 0, sharp = 0, turning = 0, mild = 0, facets = 0;
     bool are_mostly_flat = false;        // more than half of the edges, by number
   };
 
@@ -128,7 +134,7 @@ private:
   Lengths measure_edges()
   {
     const double sharp = cosine_of_degrees(CAD_ANGLE), mild = cosine_of_degrees(MILD_ANGLE), flat = cosine_of_degrees(FLAT_ANGLE),
-                 least = cosine_of_degrees(LEAST_ANGLE);
+                 least = cosine_of_degrees(LEAST_ANGLE), turning = cosine_of_degrees(TURNING_ANGLE);
     Lengths result;
     std::size_t flat_edges = 0, edges = 0;
     for_each_inner_edge([&](Index h) {
@@ -139,6 +145,7 @@ private:
       if (c <= least) sharp_edges_.push_back(h);
       if (c > mild) return;
       (c <= sharp ? result.sharp : result.mild) += l;
+      if (c <= turning) result.turning += l;
       if (c > sharp && is_in_polygon(h) && is_in_polygon(mesh_.opposite(h))) result.facets += l;
     });
     result.are_mostly_flat = 2 * flat_edges > edges;
@@ -186,8 +193,8 @@ private:
     return sum;
   }
 
-  // Among the vertices of these edges.
-  void count_saddles(const std::vector<Index>& edges)
+  // Free ends, and those where edges meet, among the vertices of these edges.
+  void count_vertices(const std::vector<Index>& edges)
   {
     struct Edges { int ridges = 0, grooves = 0; };
     std::vector<Edges> edges_at(mesh_.number_of_vertex_slots());
@@ -196,8 +203,12 @@ private:
       const bool is_ridge = dot(normals_[h >> 2], mesh_.position(mesh_.apex(mesh_.opposite(h))) - mesh_.position(v)) < 0;
       for (const Index end : {v, mesh_.target(h)}) ++(is_ridge ? edges_at[end].ridges : edges_at[end].grooves);
     }
-    for (const Edges& e : edges_at) {
-      sharp_vertices_ += e.ridges + e.grooves > 0;
+    for (Index v = 0; v < Index(edges_at.size()); ++v) {
+      const Edges& e = edges_at[v];
+      const int degree = e.ridges + e.grooves;
+      sharp_vertices_ += degree > 0;
+      free_ends_ += degree == 1 && !mesh_.is_border_vertex(v);
+      junctions_ += degree > 2;
       saddles_ += e.ridges > 1 && e.grooves > 1;
     }
   }
@@ -208,11 +219,19 @@ private:
     return saddles_ >= LEAST_SADDLES && double(saddles_) > NOISE_SHARE * double(sharp_vertices_);
   }
 
+  // Whether sharp edges are a tangle, over which the surface turns back.
+  bool are_of_leaves(const Lengths& lengths) const
+  {
+    const double least = TANGLE_SHARE * double(sharp_vertices_);
+    return sharp_vertices_ >= LEAST_TANGLE && double(free_ends_) > least && double(junctions_) > least &&
+           lengths.turning > TURNING_SHARE * lengths.sharp;
+  }
+
   const Face_normals& normals_;
   const Remeshing_mesh& mesh_;
   double own_length_;
   bool is_cad_ = false, has_jagged_chamfers_ = false, has_voxel_stairs_ = false;
-  std::size_t sharp_vertices_ = 0, saddles_ = 0;       // vertices of edges of CAD_ANGLE, and those of them that are saddles
+  std::size_t sharp_vertices_ = 0, free_ends_ = 0, junctions_ = 0, saddles_ = 0;       // of edges of CAD_ANGLE
   std::vector<Index> sharp_edges_, creases_;
 };
 
