@@ -974,6 +974,23 @@ void thin_plates_do_not_become_flat()
     }
 }
 
+// Where the target length is long beside the cross section of a part, what is tiny beside it is the part itself: merged, it would cross
+// itself.
+void merging_makes_nothing_cross()
+{
+  Mesh input = models::of_cgal("joint");
+  for(const Vertex v : input.vertices())
+    input.point(v) = Point(20 * input.point(v).x(), input.point(v).y(), input.point(v).z());
+  CHECK(!does_self_intersect(input));
+  for(const double factor : {3.5, 4., 4.5, 5.})
+  {
+    Mesh m = input;
+    IAR::isotropic_remeshing(factor * mean_edge_length(input), m);
+    CHECK_MESSAGE(!does_self_intersect(m), factor);
+    CHECK(topology(m) == topology(input));
+  }
+}
+
 // The attributes of faces that stay are found on the input.
 void attributes_of_merged_chamfers_are_found()
 {
@@ -1854,6 +1871,7 @@ int main()
   grading_mends_small_details();
   tiny_chamfers_are_merged();
   thin_plates_do_not_become_flat();
+  merging_makes_nothing_cross();
   attributes_of_merged_chamfers_are_found();
   chamfers_stay_where_the_user_says_so();
   fillets_narrower_than_the_target_are_features();

@@ -94,7 +94,8 @@ struct Recipe
   /// the distance, in target lengths, up to which the ends of an edge are merged before the run where both are corners of features
   /// or borders, or where it leads from one of these to another: corners that CAD systems export twice, chamfers as narrow as a
   /// rounding error. They would stay, with needles between them. The visitor is not told, and the report does not count them.
-  /// A plate or slit that is as thin stays, whose sides look to opposite directions within 30 degrees.
+  /// A plate or slit that is as thin stays, whose sides look to opposite directions within 30 degrees, and so does what would make a
+  /// mesh cross itself that does not.
   /// Nothing is merged where `edge_is_constrained_map`, `sharpness_angle`, `face_patch_map`, a policy or a projection functor is
   /// handed over, or where features and borders may not be collapsed; vertices that may not move stay. 0 turns it off, at most 0.1.
   double merging_distance = 0.02;

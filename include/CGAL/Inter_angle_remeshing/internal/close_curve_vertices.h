@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -33,25 +34,31 @@ public:
   template <class Tolerance>
   Close_curve_vertices(Remeshing_mesh& mesh, std::vector<char> is_corner, const Tolerance& tolerance)
     : mesh_(mesh), is_corner_(std::move(is_corner)), tolerance_(mesh.number_of_vertex_slots(), 0),
-      shift_(mesh.number_of_vertex_slots(), 0)
+      shift_(mesh.number_of_vertex_slots(), 0), became_(mesh.number_of_vertex_slots())
   {
+    std::iota(became_.begin(), became_.end(), 0);
     for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v)
       if (mesh.is_vertex(v) && mesh.is_on_curve(v)) tolerance_[v] = tolerance(v);
   }
 
-  // Merges the closest first, until none is close. Returns how many vertices went.
-  std::size_t merge()
+  // Whether there is anything to be merged, perhaps.
+  bool are_there() const { return !tiny_edges().empty(); }
+
+  // Merges the closest first, until none is close.
+  void merge()
   {
-    std::size_t merged = 0;
     for (bool goes_on = true; goes_on;) {
       goes_on = false;
       for (const auto& [squared_length, h] : tiny_edges())
-        if (mesh_.is_face(mesh_.face(h)) && is_tiny(h) && !is_across_wall(h) && merge_ends(h)) {
-          goes_on = true;
-          ++merged;
-        }
+        if (mesh_.is_face(mesh_.face(h)) && is_tiny(h) && !is_across_wall(h) && merge_ends(h)) goes_on = true;
     }
-    return merged;
+  }
+
+  // The vertex that v has become.
+  Index became(Index v) const
+  {
+    while (became_[v] != v) v = became_[v];
+    return v;
   }
 
 private:
@@ -119,6 +126,7 @@ private:
     const double shift = (std::max)(shift_[b], shift_[a] + length(mesh_.position(a) - mesh_.position(b)));
     if (shift > tolerance_[b] || !may_go(h) || !turns_no_face(h)) return false;
     shift_[b] = shift;
+    became_[a] = b;
     is_corner_[b] = is_corner_[b] || is_corner_[a];
     mesh_.add_marks(b, mesh_.marks(a) & Remeshing_mesh::ON_FEATURE);
     const std::vector<Index> tips = tips_of_detours(h);
@@ -191,6 +199,7 @@ private:
   std::vector<char> is_corner_;
   std::vector<double> tolerance_;        // by vertex
   std::vector<double> shift_;            // by vertex: how far from it the farthest was that it stands for
+  std::vector<Index> became_;            // by vertex: the one that it was merged into, or itself
 };
 
 } // namespace internal

@@ -7,8 +7,12 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/close_curve_vertices.h>
 #include <CGAL/Inter_angle_remeshing/internal/corners.h>
+#include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
 #include <CGAL/Inter_angle_remeshing/internal/settle_corners.h>
 
+#include <CGAL/tags.h>
+
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,17 +28,41 @@ inline std::vector<double> scales_of_corners(const Remeshing_mesh& mesh, const I
   return scales;
 }
 
-// `scales` are those of corners.
+inline std::vector<char> are_vertices_of(const std::vector<std::pair<Remeshing_mesh::Index, Remeshing_mesh::Index>>& faces,
+                                         const Remeshing_mesh& mesh)
+{
+  std::vector<char> result(mesh.number_of_vertex_slots(), 0);
+  for (const auto& [f, g] : faces)
+    for (const Remeshing_mesh::Index x : {f, g})
+      for (const Remeshing_mesh::Index v : mesh.face_record(x).vertex) result[v] = 1;
+  return result;
+}
+
+// `scales` are those of corners. Where the target length is long beside the cross section of a part, what is tiny is the part itself, whose
+// sides would cross each other: what makes a clean mesh do so is not merged, or nothing where that is not found in a few rounds.
 inline void merge_curve_vertices(Remeshing_mesh& mesh, const Input_kind& kind, const Target& target, double merging_distance,
                                  const std::vector<double>& scales)
 {
   using Index = Remeshing_mesh::Index;
+  constexpr int ROUNDS = 5;
   std::vector<char> is_corner = find_corners(mesh, scales, CHAMFER_COSINE), is_joint(mesh.number_of_vertex_slots(), 0);
   for (const Index v : kind.rounded_edges.joints) is_corner[v] = is_joint[v] = 1;
-  Close_curve_vertices(mesh, std::move(is_corner), [&](Index v) {
-    const double part = target.sizing.part_of_face(mesh.face_record(mesh.face(mesh.first(v))).source);
-    return (is_joint[v] ? Rounded_edges::JOINT_LENGTH : merging_distance) * target.length * part;
-  }).merge();
+  std::vector<char> stays(mesh.number_of_vertex_slots(), 0);
+  std::optional<Remeshing_mesh> before;
+  for (int round = 1; round <= ROUNDS; ++round) {
+    Close_curve_vertices close_vertices(mesh, is_corner, [&](Index v) {
+      const double part = target.sizing.part_of_face(mesh.face_record(mesh.face(mesh.first(v))).source);
+      return stays[v] ? 0. : (is_joint[v] ? Rounded_edges::JOINT_LENGTH : merging_distance) * target.length * part;
+    });
+    if (!close_vertices.are_there()) return;
+    if (!before) before = mesh;
+    close_vertices.merge();
+    const auto crossing = crossing_faces<CGAL::Sequential_tag>(mesh);
+    if (crossing.empty() || (round == 1 && !crossing_faces<CGAL::Sequential_tag>(*before).empty())) return;
+    const std::vector<char> crosses = are_vertices_of(crossing, mesh);
+    for (Index v = 0; v < Index(stays.size()); ++v) stays[v] |= crosses[close_vertices.became(v)];
+    mesh = *before;
+  }
 }
 
 CGAL_INTER_ANGLE_REMESHING_INLINE
