@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Inter_angle_remeshing authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Remeshes a part of a mechanical part: some of its patches, with sharp edges kept and patches known afterwards.
+// Remeshes a part of a mechanical part: some of its patches, with sharp edges and a few vertices kept, and patches known afterwards.
 
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 
@@ -24,6 +24,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
 using Edge = Mesh::Edge_index;
 using Face = Mesh::Face_index;
 
@@ -50,6 +51,15 @@ bool are_borders_of_patches_constrained(const Mesh& mesh, const IsConstrained& i
   return true;
 }
 
+// The vertices that are where they were in the input.
+std::size_t number_in_place(const Mesh& mesh, const std::vector<Vertex>& vertices, const std::vector<Kernel::Point_3>& points)
+{
+  std::size_t count = 0;
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+    count += !mesh.is_removed(vertices[i]) && mesh.point(vertices[i]) == points[i];
+  return count;
+}
+
 int main()
 {
   const std::string filename = CGAL::data_file_path("meshes/fandisk.off");
@@ -74,10 +84,21 @@ int main()
   for(const Face f : outside)
     corners_outside.push_back(mesh.point(target(halfedge(f, mesh), mesh)));
 
+  // One vertex of a hundred, as a measurement may refer to it: these neither move nor vanish.
+  const auto is_landmark = mesh.add_property_map<Vertex, bool>("v:is_landmark", false).first;
+  std::vector<Vertex> landmarks, others;
+  std::vector<Kernel::Point_3> landmark_points, other_points;
+  for(const Vertex v : vertices(mesh))
+  {
+    is_landmark[v] = v.idx() % 100 == 0;
+    (is_landmark[v] ? landmarks : others).push_back(v);
+    (is_landmark[v] ? landmark_points : other_points).push_back(mesh.point(v));
+  }
+
   const double length = IAR::target_edge_length(range, mesh, range.size() / 2);
   const double length_before = constrained_length(mesh, is_constrained);
   const IAR::Remeshing_report report = IAR::isotropic_remeshing(range, length, mesh,
-    CGAL::parameters::edge_is_constrained_map(is_constrained).face_patch_map(patch));
+    CGAL::parameters::edge_is_constrained_map(is_constrained).vertex_is_constrained_map(is_landmark).face_patch_map(patch));
   const double length_after = constrained_length(mesh, is_constrained);
 
   std::cout << number_of_patches << " patches, " << outside.size() << " faces left out; in the range "
@@ -85,7 +106,9 @@ int main()
             << " splits and " << report.collapses << " collapses\n"
             << "theta_avg in the range: " << report.angles_before.average << " -> " << report.angles_after.average
             << " degrees\n"
-            << "length of the constrained edges: " << length_before << " -> " << length_after << "\n";
+            << "length of the constrained edges: " << length_before << " -> " << length_after << "\n"
+            << "in place: " << number_in_place(mesh, landmarks, landmark_points) << " of " << landmarks.size() << " landmarks, "
+            << number_in_place(mesh, others, other_points) << " of " << others.size() << " other vertices\n";
 
   bool is_outside_untouched = mesh.number_of_faces() == outside.size() + report.output_faces;
   for(std::size_t i = 0; i < outside.size(); ++i)
@@ -94,6 +117,7 @@ int main()
 
   // Curved ones are cut short a little where edges merge.
   const bool are_features_kept = std::abs(length_after - length_before) < 0.01 * length_before;
-  return is_outside_untouched && are_features_kept && are_borders_of_patches_constrained(mesh, is_constrained, patch)
-         ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool are_landmarks_kept = number_in_place(mesh, landmarks, landmark_points) == landmarks.size();
+  return is_outside_untouched && are_features_kept && are_landmarks_kept &&
+         are_borders_of_patches_constrained(mesh, is_constrained, patch) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
