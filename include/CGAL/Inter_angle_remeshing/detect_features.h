@@ -32,6 +32,12 @@ namespace Inter_angle_remeshing {
 @brief finds the sharp edges of a triangle mesh by themselves, and with a `scale` what `isotropic_remeshing()` keeps at that
 length where nothing is marked.
 
+Marks the edges of 40 degrees and more on CAD models, with few exceptions; on others only long curves of edges that stand out of
+their surroundings, and the rims of planar parts. A run without marks looks for these edges itself: call the function to see beforehand
+what will be kept, or to change it before it is handed over as `edge_is_constrained_map`, and give the target length as `scale`. It takes
+.1 to 1.3 microseconds a face, 4 to 9% of a run at the mean edge length (seven models of 2,600 to 75,000 faces). The
+rule in full follows.
+
 The dihedral angles tell what kind of model it is. Let `s` be the length of all edges with a dihedral angle of 40 degrees and more,
 `m` that of the edges with 12 to 40 degrees, and `p` that of those among them where both faces go on in their planes, within half a
 degree, over another edge: the facets of a cylinder or another surface of revolution. Let `t` be the part of `s` that belongs to
