@@ -4,11 +4,13 @@
 // The flat mesh is a graph that its operations keep consistent; the way from the user's mesh to it and back leaves
 // alone what lies outside of the range and what the user holds on to; and an exception leaves everything as it was.
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <CGAL/Inter_angle_remeshing/internal/crossings.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -1711,6 +1713,44 @@ void running_out_of_memory_leaves_the_mesh_as_it_was()
   }
 }
 
+// --- crossings of its faces --------------------------------------------------------------------------------------
+
+// A needle and a small face at its long edge cross where exact arithmetic says so, though the needle's normal is mostly rounding.
+void needles_cross_what_they_cross()
+{
+  using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using IAR::internal::Vector3;
+  Flat mesh = flat_copy(Soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, {{0, 1, 2}, {3, 4, 5}}});
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> between(-1, 1);
+  const auto any = [&]() { return Vector3{between(random), between(random), between(random)}; };
+  const auto triangle = [&](Index f) {
+    std::array<Exact::Point_3, 3> p;
+    for(int k = 0; k < 3; ++k)
+    {
+      const Vector3& q = mesh.position(mesh.face_record(f).vertex[k]);
+      p[k] = Exact::Point_3(q.x, q.y, q.z);
+    }
+    return Exact::Triangle_3(p[0], p[1], p[2]);
+  };
+  std::size_t crossing = 0, wrong = 0;
+  for(int i = 0; i < 20000; ++i)
+  {
+    const Vector3 a = any(), b = any(), middle = a + .3 * (b - a);
+    const double height = std::pow(10, 3 * between(random) - 13), size = std::pow(10, 4 * between(random) - 4);
+    const Vector3 c = a + (.5 + .4 * between(random)) * (b - a) + height * any(), d = any();
+    const Vector3 corners[6] = {a, b, c, middle + size * d, middle - .7 * size * d, middle + size * any()};
+    for(Index k = 0; k < 6; ++k)
+      mesh.position(mesh.face_record(k / 3).vertex[k % 3]) = corners[k];
+    if(triangle(0).is_degenerate() || triangle(1).is_degenerate())
+      continue;
+    const bool expected = CGAL::do_intersect(triangle(0), triangle(1));
+    crossing += expected;
+    wrong += IAR::internal::cross_each_other(mesh, 0, 1) != expected;
+  }
+  CHECK_MESSAGE(crossing > 1000 && wrong == 0, wrong << " of " << crossing);
+}
+
 #ifdef CGAL_LINKED_WITH_TBB
 void threads_do_not_change_a_bit()
 {
@@ -1731,6 +1771,7 @@ int main()
   two_faces_with_the_same_corners_stay();
   what_the_topology_allows_is_legal();
   marks_forbid();
+  needles_cross_what_they_cross();
 
   ranges_of_any_shape_come_back<Mesh>(&to_mesh<Mesh>);
   ranges_of_any_shape_come_back<Mesh>(&mesh_with_garbage);

@@ -50,14 +50,15 @@ template <class Surface>
 bool lies_beside(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
 {
   const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
-  const Vector3 normal = triangle_cross(mesh.position(b[0]), mesh.position(b[1]), mesh.position(b[2]));
-  const double squared_normal = squared_length(normal);
+  const Vector3 &p = mesh.position(b[0]), &q = mesh.position(b[1]), &r = mesh.position(b[2]);
+  const Vector3 normal = triangle_cross(p, q, r);
+  const double longest_normal = squared_distance(p, q) * squared_distance(p, r);         // squared; that of a needle is mostly rounding
   int above = 0, under = 0;
   for (const Corner_table::Index v : a) {
     if (is_corner(mesh.face_record(g), v)) continue;
-    const Vector3 way = mesh.position(v) - mesh.position(b[0]);
+    const Vector3 way = mesh.position(v) - p;
     const double height = dot(way, normal);
-    if (!(height * height > SURE_HEIGHT * SURE_HEIGHT * squared_normal * squared_length(way))) return false;
+    if (!(height * height > SURE_HEIGHT * SURE_HEIGHT * longest_normal * squared_length(way))) return false;
     ++(height > 0 ? above : under);
   }
   return above == 0 || under == 0;
