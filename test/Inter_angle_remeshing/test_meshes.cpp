@@ -785,6 +785,26 @@ void coarse_organic_models_gain_by_irregular_vertices()
   CHECK_MESSAGE(out_of_band < out_with_six, out_of_band << " and " << out_with_six);
 }
 
+// Where nothing is split or collapsed, what flips and moves can mend is mended all the same, measured against the edges that there are.
+void without_a_length_angles_are_mended()
+{
+  for(const char* name : {"knot1", "elephant", "bear_bis"})
+  {
+    if(meshes::is_small_run() && name != std::string("knot1"))
+      continue;
+    const Mesh& input = mesh_of_cgal(name);
+    Mesh m = input;
+    const auto report = IAR::isotropic_remeshing(faces(m), 0, m);
+    CHECK(m.number_of_vertices() == input.number_of_vertices() && report.splits == 0 && report.collapses == 0);
+    CHECK(report.target_edge_length == 0 && !does_self_intersect(m));
+    CHECK_MESSAGE(report.angles_after.minimum > 41 && report.angles_after.maximum < 90,
+                  name << ": " << report.angles_after.minimum << " to " << report.angles_after.maximum);
+    const Mesh theirs = models::remeshed_by_pmp(input, 0);
+    CHECK_MESSAGE(report.angles_after.average > IAR::inter_angle_statistics(theirs).average + 1, report.angles_after.average);
+    CHECK_MESSAGE(IAR::surface_distance(input, m).mean() < .95 * IAR::surface_distance(input, theirs).mean(), name);
+  }
+}
+
 // Where nothing is left to do, the run ends, and the result is as good.
 void settled_meshes_end_early()
 {
@@ -1364,6 +1384,7 @@ int main(int argc, char* argv[])
   all_crossing_faces_are_found();
   vertices_of_tips_and_saddles_are_regular();
   coarse_organic_models_gain_by_irregular_vertices();
+  without_a_length_angles_are_mended();
   settled_meshes_end_early();
   angles_are_better_than_those_of_polygon_mesh_processing();
   random_meshes_keep_what_they_must();

@@ -192,7 +192,7 @@ private:
       const Index curve = mesh_.curve_of(end);
       const double t = mesh_.arc_length(end ^ 1);
       return context_.curves.deviation(curve, mesh_.arc_length(end) + shift, t, q, context_.curves.point(curve, t)) >
-             CURVE_TOLERANCE * length_at(v);
+             curve_tolerance(context_, length_at(v));
     });
   }
 

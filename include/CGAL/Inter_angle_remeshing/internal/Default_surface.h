@@ -45,7 +45,7 @@ struct Default_surface
   Default_surface(const Remeshing_mesh& mesh, double target, const Sizing& sizing, const Input_kind& kind)
     : facets(mesh), face_of_source(faces_by_source(facets)), target_length(target)
   {
-    if (!(target > 0) || kind.is_faceted) return;
+    if (kind.is_faceted) return;
     float smallest_part = 1;
     if (!sizing.is_uniform()) {
       for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()); ++f)

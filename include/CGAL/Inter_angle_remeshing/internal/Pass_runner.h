@@ -60,7 +60,7 @@ public:
   // Short edges that curves could do without are those of the input, at first: they tell nothing about details.
   void measure_grading()
   {
-    if (!(context_.target_length > 0) || !context_.is_graded()) return;
+    if (!context_.is_graded()) return;
     context_.grading.read<ConcurrencyTag>(mesh_, context_.sizing, context_.locator, context_.target_length);
     if (!(context_.grading_rate > 0)) return;
     const bool are_curves_settled = clock_.iterations() >= SETTLED_CURVES || !context_.may_collapse_constraints ||
@@ -72,7 +72,7 @@ public:
   // Returns the number of splits. The limits of the edge lengths are those of the recipe, or wider by a factor.
   std::size_t split_and_collapse(double widening = 1)
   {
-    if (!goes_on() || !(context_.target_length > 0)) return 0;
+    if (!goes_on()) return 0;
     measure_grading();
     Edges_out_of_limits edges;
     const std::size_t splits = run(Pass::split, [&]() {
@@ -136,7 +136,7 @@ public:
 
   void remove_low_valences()
   {
-    if (context_.target_length > 0 && !context_.collapse_rule.is_never())
+    if (!context_.collapse_rule.is_never())
       report_.collapses += run(Pass::clean_up, [&]() { return clean_up_pass<ConcurrencyTag>(context_); });
   }
 
@@ -155,7 +155,7 @@ public:
   std::size_t lower_distances()
   {
     if (!context_.projector.is_input() || !(recipe_.distance_tolerance > 0) || recipe_.sweeps == 0 ||
-        !(context_.target_length > 0) || context_.is_finer_than_surface()) return 0;
+        context_.is_finer_than_surface()) return 0;
     return run(Pass::distance, [&]() { return distance_pass(context_); });
   }
 
@@ -223,9 +223,9 @@ private:
     return result;
   }
 
-  bool repairs() const { return recipe_.repair && recipe_.sweeps > 0 && context_.target_length > 0; }
+  bool repairs() const { return recipe_.repair && recipe_.sweeps > 0; }
 
-  double curve_tolerance() const { return CURVE_TOLERANCE * context_.target_length; }
+  double curve_tolerance() const { return internal::curve_tolerance(context_, context_.target_length); }
 
   template <class Function>
   void for_each_vertex_of_a_visitor(const Function& function) const

@@ -216,7 +216,7 @@ private:
       relax();
     }
     const std::size_t done = number_of_operations() - operations, faces = mesh_.number_of_live_faces();
-    if (goes_on() && context_.target_length > 0 && !clock_.is_late()) {
+    if (goes_on() && !context_.keeps_vertices && !clock_.is_late()) {
       if (!is_stirred_up_ && done <= faces / HARDLY_MOVING && is_skewed()) stir_up();
       else if (done <= faces / SETTLED) clock_.hurry();
     }
@@ -295,7 +295,7 @@ private:
 
   bool is_too_dense() const
   {
-    return context_.target_length > 0 && !context_.collapse_rule.is_never() &&
+    return !context_.collapse_rule.is_never() &&
            double(mesh_.number_of_live_faces()) > TOO_DENSE * context_.grading.number_of_faces(mesh_, context_.target_length);
   }
 
@@ -311,7 +311,7 @@ private:
   // How often the longest edge must be halved until it is no longer far too long.
   int halvings_to_do() const
   {
-    if (!(context_.target_length > 0) || context_.split_rule.is_never()) return 0;
+    if (context_.split_rule.is_never()) return 0;
     const double ratio = longest_edge_in_targets(mesh_, [&](Index u, Index v) { return context_.length_at(u, v); }) /
                          recipe_.split_ratio;
     return ratio > 2 ? 1 + int(std::log2(ratio)) : 0;
@@ -378,7 +378,7 @@ private:
     if (report_.ending == Remeshing_report::Ending::cancelled && !is_fitted_) passes_.pull_back();
     if (mesh_.has_free_slots()) mesh_.renumber<ConcurrencyTag>(mesh_.block_order());
     report_.output_faces = mesh_.number_of_live_faces();
-    report_.target_edge_length = mesh_.unit() * context_.target_length;
+    report_.target_edge_length = context_.keeps_vertices ? 0. : mesh_.unit() * context_.target_length;
     report_.angles_after = angle_summary<ConcurrencyTag>(mesh_);
   }
 

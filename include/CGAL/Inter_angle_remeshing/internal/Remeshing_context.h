@@ -38,7 +38,8 @@ struct Remeshing_context
   const Projection& projector;
   Run_visitor& visitor;
   bool may_collapse_constraints;
-  double target_length;                // in the units of the flat mesh; 0: nothing is split or collapsed
+  double target_length;                // in the units of the flat mesh
+  bool keeps_vertices;                 // nothing is split or collapsed: the target length is that of the edges that there are, a scale
 
   bool may_release_features;           // they were found by themselves, and not on a CAD model
   bool may_subdivide;                  // no rule of the user's says which edges are split, collapsed or flipped
@@ -102,8 +103,8 @@ private:
   bool permits(const Edge_rule& rule, Index h, bool is_transient) const
   {
     const Index side = h >= 0 ? h : ~h;      // of a border side, the other one
-    const double length = target_length > 0 ? mesh.unit() * length_at(mesh.origin(side), mesh.target(side))
-                                            : std::numeric_limits<double>::infinity();
+    const double length = keeps_vertices ? std::numeric_limits<double>::infinity()
+                                         : mesh.unit() * length_at(mesh.origin(side), mesh.target(side));
     return rule(mesh, length, h, is_transient);
   }
 };

@@ -44,7 +44,7 @@ inline std::vector<Remeshing_mesh::Index> bent_vertices_between_long_edges(const
   using Index = Remeshing_mesh::Index;
   constexpr double LONG = 4;                 // target lengths
   std::vector<Index> result;
-  if (!context.projector.is_input() || !(context.target_length > 0)) return result;
+  if (!context.projector.is_input()) return result;
   const auto target_length_at = [&](Index v) {      // the field is not read yet
     return context.target_length * (context.sizing.is_uniform() ? 1. : context.sizing.part_at(context.mesh, v, context.locator));
   };

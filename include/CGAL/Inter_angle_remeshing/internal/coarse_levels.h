@@ -52,7 +52,6 @@ public:
   // The number of levels above that of the target length, each with edges twice as long as the one under it.
   unsigned number(double target_length) const
   {
-    if (!(target_length > 0)) return 0;
     unsigned levels = 0;
     while (is_fine_enough(target_length) && is_resolved(2 * target_length)) {
       target_length *= 2;

@@ -69,6 +69,12 @@ inline bool is_too_short_on_curve(const Remeshing_context& context, Remeshing_me
   return std::sqrt(context.mesh.squared_edge_length(h)) < context.recipe.collapse_ratio * target_on_curve(context, h);
 }
 
+// How far the chords at a vertex that slides may lie from its curve, where the target length is this one.
+inline double curve_tolerance(const Remeshing_context& context, double target_length)
+{
+  return context.keeps_vertices ? 0. : CURVE_TOLERANCE * target_length;
+}
+
 // Whether the source of h can leave the curve that it lies on: its two edges there become one, which must neither be too long
 // nor leave the curve. The edge beyond it belongs to the same curve, as no vertex between two is without a lock.
 inline bool keeps_curve(const Remeshing_context& context, Remeshing_mesh::Index h)

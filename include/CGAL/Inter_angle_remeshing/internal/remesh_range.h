@@ -170,12 +170,16 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   Remeshing_mesh mesh = exchange.take_mesh();
   settle_corners(mesh, kind, wanted, may_merge_curve_vertices(parameters, kind) ? parameters.recipe.merging_distance : 0.);
   mesh.renumber<ConcurrencyTag>(morton_order(mesh));
+  // Without a length nothing is split or collapsed; steps and distances are measured against the edges that there are.
+  const bool keeps_vertices = !(target > 0);
+  if (keeps_vertices) target = mean_length;
   Input_curves curves(mesh);
-  const bool has_small_details = wanted.sizing.is_uniform() &&
+  const bool has_small_details = !keeps_vertices && wanted.sizing.is_uniform() &&
     (kind.is_cad || (!parameters.constraint_settings.protect && has_details_smaller_than(target, curves, mean_length)));
 
-  const auto rule = [&](const auto& policy) {
-    return make_edge_rule(policy, exchange.input_vertices(), boost::graph_traits<TriangleMesh>::null_vertex());
+  const auto rule = [&](const auto& policy, bool is_never = false) {
+    return is_never ? Edge_rule(false)
+                    : make_edge_rule(policy, exchange.input_vertices(), boost::graph_traits<TriangleMesh>::null_vertex());
   };
   Attribute_exchange attributes(parameters.visitor, exchange, tmesh, mesh);
   bool is_to_be_written = true;
@@ -183,9 +187,10 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
                                                [&](const Projection& projector, const auto&... restore) {
     std::optional<Input_locator> locator;
     if (wanted.sizing.needs_places() || attributes.are_carried()) locator.emplace(projector, mesh);
-    Remeshing_context context{mesh, parameters.recipe, curves, rule(split_policy(parameters, kind)), rule(parameters.collapse_policy),
-                              rule(parameters.flip_policy), projector, parameters.visitor, parameters.may_collapse_constraints,
-                              target, may_release_features(parameters, kind), parameters.may_subdivide, wanted.sizing,
+    Remeshing_context context{mesh, parameters.recipe, curves, rule(split_policy(parameters, kind), keeps_vertices),
+                              rule(parameters.collapse_policy, keeps_vertices), rule(parameters.flip_policy), projector,
+                              parameters.visitor, parameters.may_collapse_constraints,
+                              target, keeps_vertices, may_release_features(parameters, kind), parameters.may_subdivide, wanted.sizing,
                               locator ? &*locator : nullptr, has_small_details ? parameters.recipe.grading : 0.,
                               noise(kind, mean_length, target), Grading(), Kept_places()};
     const Run_result result = run_passes<Concurrency>(context, parameters.schedule, untouched);

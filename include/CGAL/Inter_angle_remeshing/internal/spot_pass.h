@@ -113,7 +113,6 @@ private:
 
   void split_and_collapse(Remeshing_report& report)
   {
-    if (!(context_.target_length > 0)) return;
     std::vector<Index> long_edges, short_edges;
     for (std::size_t i = 0; i < region_.movable; ++i)
       mesh_.for_each_around(region_.vertices[i], [&](Index h) {
