@@ -36,7 +36,6 @@ public:
   static constexpr Index prev(Index h) { return h + 2 - 3 * (((h & 3) + 3) >> 2); }
   static constexpr Index face(Index h) { return h >> 2; }
   static constexpr int corner(Index h) { return h & 3; }
-  static constexpr bool is_border_side(Index h) { return h < 0; }
 
   Index origin(Index h) const { return faces_[h >> 2].vertex[h & 3]; }
   Index target(Index h) const { return origin(next(h)); }

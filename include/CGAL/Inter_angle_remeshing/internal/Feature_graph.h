@@ -188,12 +188,6 @@ private:
     return n;
   }
 
-  // Of the face of h, over h.
-  double altitude(Index h) const
-  {
-    const Vector3 &a = mesh_.position(mesh_.origin(h)), &b = mesh_.position(mesh_.target(h)), &c = mesh_.position(mesh_.apex(h));
-    return internal::length(triangle_cross(a, b, c)) / internal::length(b - a);
-  }
   double length_of(const std::vector<Index>& edges) const
   {
     return std::accumulate(edges.begin(), edges.end(), 0., [&](double sum, Index e) { return sum + edges_[e].length; });
@@ -511,7 +505,7 @@ inline void Feature_graph::drop_sides_of_strips(double width)
   std::vector<double> accepted(vertices_.size(), 0);          // by vertex: the largest angle of an accepted edge there
   const auto is_beside = [&](const Edge& e, Index h) {
     const Index apex = number_[mesh_.apex(h)];
-    return apex >= 0 && accepted[apex] > 0 && accepted[apex] + e.angle < MOST_TURN && altitude(h) < width;
+    return apex >= 0 && accepted[apex] > 0 && accepted[apex] + e.angle < MOST_TURN && mesh_.altitude(h) < width;
   };
   for (const Chain& chain : chains_strongest_first()) {
     double beside = 0;

@@ -354,6 +354,8 @@ private:
 
   void mend_faces()
   {
+    report_.are_crossing_faces_known = false;      // of faces that were mended before
+    report_.crossing_faces = 0;
     is_fitted_ = is_fitted_ || goes_on();
     passes_.fit();
     passes_.polish();

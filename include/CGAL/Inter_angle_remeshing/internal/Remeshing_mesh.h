@@ -182,6 +182,12 @@ public:
   double arc_length(Index curve_end) const { return curve_edges_[curve_end >> 1].arc_length[curve_end & 1]; }
 
   double squared_edge_length(Index h) const { return squared_distance(position_[origin(h)], position_[target(h)]); }
+  // Of the face of h, over h.
+  double altitude(Index h) const
+  {
+    const Vector3 &a = position(origin(h)), &b = position(target(h)), &c = position(apex(h));
+    return length(triangle_cross(a, b, c)) / length(b - a);
+  }
 
   // Calls `function(h)` for the half-edges that leave v through a face, counterclockwise. They are counted, not taken
   // until the fan closes: the processor need not wait for the end of one fan to begin with the next.

@@ -23,9 +23,6 @@ namespace internal {
 // Stands for a property map that the user did not hand over.
 struct No_map {};
 
-template <class Map>
-constexpr bool is_given(const Map&) { return !std::is_same<Map, No_map>::value; }
-
 struct Constraint_settings
 {
   double sharpness_cosine;    // edges with a smaller dihedral cosine are features; under -1: none

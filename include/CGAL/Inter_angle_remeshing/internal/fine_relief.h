@@ -111,13 +111,7 @@ private:
   double target_length(Index h) const { return (std::min)(target_length_[h >> 2], target_length_[mesh_.opposite(h) >> 2]); }
   // A relief goes on to both sides: its end is none.
   bool is_between_narrow_faces(Index h) const { return is_narrow(h) && is_narrow(mesh_.opposite(h)); }
-  bool is_narrow(Index h) const { return altitude(h) < target_length_[h >> 2]; }
-  // Of the face of h, over h.
-  double altitude(Index h) const
-  {
-    const Vector3 &a = mesh_.position(mesh_.origin(h)), &b = mesh_.position(mesh_.target(h)), &c = mesh_.position(mesh_.apex(h));
-    return length(triangle_cross(a, b, c)) / length(b - a);
-  }
+  bool is_narrow(Index h) const { return mesh_.altitude(h) < target_length_[h >> 2]; }
   bool is_ridge(Index h) const
   {
     return dot(normal_[h >> 2], mesh_.position(mesh_.apex(mesh_.opposite(h))) - mesh_.position(mesh_.origin(h))) < 0;
@@ -161,7 +155,7 @@ private:
     for (Index h = 4 * f; h < 4 * f + 3; ++h) longest = (std::max)(longest, mesh_.squared_edge_length(h));
     return longest < CELL * target_length_[f] * CELL * target_length_[f];
   }
-  double width_beside(Index h) const { return is_small(h >> 2) ? 0. : (std::min)(altitude(h), target_length_[h >> 2]); }
+  double width_beside(Index h) const { return is_small(h >> 2) ? 0. : (std::min)(mesh_.altitude(h), target_length_[h >> 2]); }
 
   void add_small_faces()
   {

@@ -269,7 +269,7 @@ double Surface_fit<ConcurrencyTag>::set_up(std::size_t i)
     own += e.diagonal(mesh_.corner(h));
     right += e.right(mesh_.corner(h));
   });
-  const Vector3 way = (1. / mesh_.valence(v)) * centre - mesh_.position(v), u = unit_vector(normal);
+  const Vector3 way = (1. / mesh_.valence(v)) * centre - mesh_.position(v), u = unit(normal);
   flat_normal_[i] = squared_length(right) <= squared(FLAT * length * area) ? u : Vector3();
   regular_[i] = Symmetric_matrix::axial(tangential * area, (NORMAL - tangential) * area, u);
   own += regular_[i];

@@ -44,12 +44,6 @@ struct Surface_point
   Vector3 point, normal;
 };
 
-inline Vector3 unit_vector(const Vector3& v)
-{
-  const double l = length(v);
-  return l > 0 ? (1 / l) * v : Vector3();
-}
-
 // Onto the surface near the hint: the closest point on its facets, a point of the MLS surface over them, or one in
 // between, as the size of the facet says. Or by the user's rule; without a surface and without a rule every point stays. Points
 // are in the units of the flat mesh; `hint` is the face of the surface where a walk starts and ends.
@@ -101,9 +95,9 @@ struct Projection
   {
     if (mls != nullptr && share_of_mls(facet_size(f)) > 0) {
       const Vector3 n = mls->normal(f, mls->barycentric_of(f, closest_point_on_face(*surface, factor * p, f)));
-      if (squared_length(n) > 0) return unit_vector(n);
+      if (squared_length(n) > 0) return unit(n);
     }
-    return unit_vector(surface->cross_product(f));
+    return unit(surface->cross_product(f));
   }
   // Whether its faces are those of the input.
   bool is_input() const { return face_of_source != nullptr && rule == nullptr; }
