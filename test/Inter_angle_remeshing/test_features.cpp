@@ -35,6 +35,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <string>
@@ -1172,6 +1173,69 @@ void a_relief_too_fine_for_the_target_is_no_feature()
   CHECK(found_features(plate, .3).size() == found_features(plate).size());
 }
 
+double total_length(const std::set<Edge>& edges, const Mesh& m)
+{
+  return std::accumulate(edges.begin(), edges.end(), 0., [&](double sum, Edge e) {
+    return sum + std::sqrt(CGAL::squared_distance(m.point(m.vertex(e, 0)), m.point(m.vertex(e, 1)))); });
+}
+
+// Where bars of a pile meet, ridges and grooves may lie close together; that is no reason to give up the others.
+void piles_of_bars_keep_their_edges()
+{
+  std::mt19937 random(3);
+  const auto any = [&]() { return double(random() % 2001) / 1000 - 1; };
+  Mesh pile = meshes::to_mesh<Mesh>(meshes::cube(1));
+  for(const Vertex v : pile.vertices())
+    pile.point(v) = CGAL::ORIGIN + 4 * (pile.point(v) - Point(.5, .5, .5));
+  for(int i = 0; i < 7; ++i)
+  {
+    Mesh bar = meshes::to_mesh<Mesh>(meshes::cube(1));
+    const Vector axis(any(), any(), any()), side = CGAL::cross_product(axis, Vector(any(), any(), any()));
+    const Vector z = axis / std::sqrt(axis.squared_length()), x = side / std::sqrt(side.squared_length()), y = CGAL::cross_product(z, x);
+    for(const Vertex v : bar.vertices())
+    {
+      const Vector p = bar.point(v) - Point(.5, .5, .5);
+      bar.point(v) = CGAL::ORIGIN + .8 * p.x() * x + .8 * p.y() * y + 3.6 * p.z() * z;
+    }
+    pile = models::difference(pile, bar);
+  }
+  const double all = total_length(found_features(pile), pile), mean = mean_edge_length(pile);
+  for(const double factor : {1., 2., 3.})
+    CHECK_MESSAGE(total_length(found_features(pile, factor * mean), pile) > .7 * all,
+                  factor << ": " << total_length(found_features(pile, factor * mean), pile) / all);
+}
+
+// Faces along a knife's edge are thin, and look away from each other; they are sides of it all the same, and no folded slivers.
+void knife_edges_are_features()
+{
+  constexpr int SECTIONS = 40;
+  const std::vector<double> chords = {0, .003, .009, .05, .2, .4, .6, .8, 1};
+  for(const double half_angle : {5., 12.})
+    for(const double sweep : {0., .1, .3})
+    {
+      meshes::Soup blade;              // its sharp edge is its first row
+      const std::size_t n = chords.size(), rows = 2 * n - 1;
+      for(int i = 0; i <= SECTIONS; ++i)
+        for(std::size_t j = 0; j < rows; ++j)
+        {
+          const double x = chords[j < n ? n - 1 - j : j - n + 1], z = x * std::tan(half_angle * CGAL_PI / 180), y = 4. * i / SECTIONS;
+          blade.points.push_back({x + sweep * y, y, j < n ? z : -z});
+        }
+      for(std::size_t i = 0; i < SECTIONS; ++i)
+        for(std::size_t j = 0; j + 1 < rows; ++j)
+        {
+          const std::size_t a = i * rows + j, b = a + rows;
+          blade.faces.push_back({a, b, b + 1});
+          blade.faces.push_back({a, b + 1, a + 1});
+        }
+      const Mesh input = meshes::to_mesh<Mesh>(blade);
+      CHECK_MESSAGE(found_features(input).size() == SECTIONS, sweep << ": " << found_features(input).size());
+      Mesh m = input;
+      IAR::isotropic_remeshing(mean_edge_length(input), m);
+      CHECK_MESSAGE(IAR::surface_distance(input, m).hausdorff() < .05 * mean_edge_length(input), sweep << ", " << half_angle);
+    }
+}
+
 // Facets of a round rim are no details: the target follows those edges only that the rim needs. (Measured: 360 and 938 faces, 424
 // and 1010 in three iterations, where its facets ruled 1024 to 2188, and equilateral ones would be 203 and 812.)
 void round_rims_are_coarsened()
@@ -1876,6 +1940,8 @@ int main()
   chamfers_stay_where_the_user_says_so();
   fillets_narrower_than_the_target_are_features();
   a_relief_too_fine_for_the_target_is_no_feature();
+  piles_of_bars_keep_their_edges();
+  knife_edges_are_features();
   stairs_of_voxels_are_no_features();
   turned_stairs_are_no_features();
   simplified_stairs_are_no_features();

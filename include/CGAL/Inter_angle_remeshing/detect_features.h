@@ -48,11 +48,13 @@ their length does not lead to a free end, and of its vertices, of which twelve a
 the ends of more, and a fifth of the others bend by more than 45 degrees. But unless m - p < s / 5, it is none if at a tenth of the
 vertices of these edges, fifty at least, two or more convex ones meet two or more concave ones: noise makes such saddles everywhere.
 What has grown and is as flat as a leaf is none, either: of the vertices of edges of 40 degrees and more, a hundred at least, more than
-3% are free ends and more than 3% junctions, and over more than 15% of the length of these edges the surface turns by 120 degrees and more.
+.5% are free ends, more than 10% are free ends or junctions, and over more than 15% of the length of these edges the surface turns by 120
+degrees and more.
 On a CAD model every edge of 40 degrees and more is a feature. But where two chains of them are the sides of a strip, one face
 across and narrower than a twentieth of the length, over which the surface turns by less than 120 degrees, as at a small bevel, only
 the sharper one is. A face that is ten times as long as high, with a dihedral angle of 150 degrees and more at one of its edges, is
-a sliver folded onto its neighbor: it counts as if it looked as the face at its longest edge does.
+a sliver folded onto its neighbor: it counts as if it looked as the face at its longest edge does; unless it goes on, by less than 40
+degrees, to others, and all of them have more than a twentieth of the square of their longest edge as area, as beside a knife's edge.
 
 If not, it is an organic model or a noisy one. Around connected edges of 30 degrees and more that are 2.5 times as sharp as
 the edges beside them, the face normals are filtered bilaterally, in five passes. An edge stands out if it then has 30
@@ -101,7 +103,8 @@ the edge, and the cube of two `scale` around it has more than five `scale` of ri
 these are at most 0.4 `scale` apart in height, by their centres along the mean normal of the faces beside them, and the normals agree
 so far that their sum is more than half as long as all of them. Thin bars and plates, whose sides face away from each other, and the
 teeth of a gear, which are higher, are kept. In components of features most of which are such edges, half of that density will do;
-and with them goes what is ragged beside them: what leads on to a corner within 1.5 of the length, and chains that end after three.
+and with them goes what is ragged beside them: what leads on to a corner within 1.5 of the length, and on from there where a fifth of the
+component is such edges, and chains that end after three.
 What is a relief by this rule with a shorter length in place of `scale`, 0.7, 0.7², ... 0.7⁸ of it, is one, too: it is as well too fine
 for `scale`, whose cube may hold a small part as a whole.
 

@@ -81,6 +81,9 @@ public:
 private:
   static constexpr double PLANAR_ANGLE = 0.5, FOLD_ANGLE = 150;    // degrees
   static constexpr double SLIVER = 0.1;                            // altitude of a sliver, at most, over its longest edge
+  // A sheet goes on beyond a thin face, by less than this angle, in degrees; it is one of more than so many faces, however small.
+  static constexpr double SHEET_ANGLE = 40;
+  static constexpr std::size_t LARGEST_SLIVER = 64;
 
   // Slivers that are folded onto a neighbour look as that one does.
   void correct_folded_slivers()
@@ -107,7 +110,25 @@ private:
   {
     if (doubled_area_[f] > SLIVER * mesh_.squared_edge_length(h)) return false;
     const double folded = cosine_of_degrees(FOLD_ANGLE);
-    return cosine(4 * f) < folded || cosine(4 * f + 1) < folded || cosine(4 * f + 2) < folded;
+    return (cosine(4 * f) < folded || cosine(4 * f + 1) < folded || cosine(4 * f + 2) < folded) && !is_in_sheet(f);
+  }
+
+  // Whether face f and those that it goes on to are more than a sliver together: the side of a knife's edge.
+  bool is_in_sheet(Index f) const
+  {
+    const double flat = cosine_of_degrees(SHEET_ANGLE);
+    std::vector<Index> faces{f};
+    double doubled_area = 0, longest = 0;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      doubled_area += doubled_area_[faces[i]];
+      longest = (std::max)(longest, mesh_.squared_edge_length(longest_edge(faces[i])));
+      if (doubled_area > SLIVER * longest || i == LARGEST_SLIVER) return true;
+      for (Index h = 4 * faces[i]; h < 4 * faces[i] + 3; ++h)
+        if (const Index o = mesh_.opposite(h); o >= 0 && normal_[o >> 2] != Vector3() && cosine(h) > flat &&
+                                               std::find(faces.begin(), faces.end(), o >> 2) == faces.end())
+          faces.push_back(o >> 2);
+    }
+    return false;
   }
 
   const Remeshing_mesh& mesh_;

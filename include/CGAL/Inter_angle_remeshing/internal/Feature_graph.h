@@ -77,7 +77,7 @@ public:
 
   // Takes the edges out of which the density, in the order of adding, is greater than this, and of components that mainly consist of
   // such edges those of half of it. Then what is ragged beside them: from where edges went, on to corners, ends and junctions at a
-  // short distance, and chains that now end after a few lengths.
+  // short distance, and on from there where a good part of the component is such edges; and chains that now end after a few lengths.
   void cut_out(const std::vector<double>& density, double largest);
 
   // Keeps chains that lead somewhere, in components that are long, sharp, and not a tangle, and of two chains side by side
@@ -154,6 +154,7 @@ private:
   static constexpr double JUNCTION_RADIUS = 1.5;       // in such distances, within which chains that meet are near each other
   static constexpr double ACUTE_COSINE = 0.9063077870366499;      // 25 degrees
   static constexpr double RAGGED_LENGTH = 1.5;         // from corner to corner
+  static constexpr double SPREADING_SHARE = 0.2;       // of dense edges in components where what is ragged goes on
   static constexpr double LEAST_REST = 3;              // of a chain, for each of its new ends
   static constexpr double STRIP_SHARE = 0.9;           // of a chain, along a strip
   static constexpr double MOST_TURN = 120;             // of the surface, over the strip
@@ -313,15 +314,17 @@ inline void Feature_graph::cut_out(const std::vector<double>& density, double la
   for (const std::vector<Index>& component : components()) {
     const double dense = std::accumulate(component.begin(), component.end(), 0., [&](double sum, Index e) {
       return sum + (density[e] > largest ? edges_[e].length : 0); });
-    const double bound = dense > length_of(component) / 2 ? largest / 2 : largest;
+    const double all = length_of(component), bound = dense > all / 2 ? largest / 2 : largest;
+    const std::size_t first = cut.size();
     for (const Index e : component)
       if (density[e] > bound) take_out(e);
+    const std::size_t last = cut.size();
+    for (std::size_t i = first; i < (dense > SPREADING_SHARE * all ? cut.size() : last); ++i)
+      if (const Index v = cut[i]; bends(v))
+        for (const Index beside : incident_[v])
+          if (edges_[beside].is_left)
+            for (const Index e : edges_up_to_corner(v, beside, RAGGED_LENGTH * length_)) take_out(e);
   }
-  for (std::size_t i = 0; i < cut.size(); ++i)
-    if (const Index v = cut[i]; bends(v))
-      for (const Index first : incident_[v])
-        if (edges_[first].is_left)
-          for (const Index e : edges_up_to_corner(v, first, RAGGED_LENGTH * length_)) take_out(e);
   for (const Chain& chain : chains()) {
     const auto new_ends = std::count_if(chain.ends.begin(), chain.ends.end(), [&](Index v) {
       return v >= 0 && is_cut[v] && degree(v) == 1; });

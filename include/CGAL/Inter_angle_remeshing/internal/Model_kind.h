@@ -48,10 +48,10 @@ class Model_kind
   // Meshes with fewer of them, or with this part of their vertices, may be clean and coarse.
   static constexpr std::size_t LEAST_NOISY_SADDLES = 100;
   static constexpr double CLEAN_SHARE = 0.035;
-  // Sharp edges are those of leaves where, of so many vertices at least, more than this part are free ends, and more than this part
-  // junctions, and over more than that part of their length the surface turns back.
+  // Sharp edges are those of leaves where, of so many vertices at least, more than these parts are free ends, and free ends or junctions,
+  // and over more than this part of their length the surface turns back.
   static constexpr std::size_t LEAST_TANGLE = 100;
-  static constexpr double TANGLE_SHARE = 0.03, TURNING_ANGLE = 120, TURNING_SHARE = 0.15;
+  static constexpr double LOOSE_SHARE = 0.005, TANGLE_SHARE = 0.1, TURNING_ANGLE = 120, TURNING_SHARE = 0.15;
   // Edges of at least this angle are creases where they make up this part of the length of all edges.
   static constexpr double CREASE_ANGLE = 70, CREASE_SHARE = 0.05;
   // The part of the sharp edges of stairs of voxels that are rims of chamfers; voxels themselves have none. Where more than this part are
@@ -222,9 +222,9 @@ private:
   // Whether sharp edges are a tangle, over which the surface turns back.
   bool are_of_leaves(const Lengths& lengths) const
   {
-    const double least = TANGLE_SHARE * double(sharp_vertices_);
-    return sharp_vertices_ >= LEAST_TANGLE && double(free_ends_) > least && double(junctions_) > least &&
-           lengths.turning > TURNING_SHARE * lengths.sharp;
+    const auto are_more_than = [&](double share, std::size_t n) { return double(n) > share * double(sharp_vertices_); };
+    return sharp_vertices_ >= LEAST_TANGLE && are_more_than(LOOSE_SHARE, free_ends_) &&
+           are_more_than(TANGLE_SHARE, free_ends_ + junctions_) && lengths.turning > TURNING_SHARE * lengths.sharp;
   }
 
   const Face_normals& normals_;
