@@ -1841,7 +1841,8 @@ void jagged_creases_leave_room_for_good_angles()
   }
 }
 
-// What has grown and is as flat as a leaf has a rim that is a tangle of sharp edges: no features of a part, which would leave needles.
+// What has grown and is as flat as a leaf has a rim that is a tangle of sharp edges: the features of a part would leave needles. Its rim
+// is a feature as far as faces are good.
 void leaves_are_no_cad_models()
 {
   struct Case { const char* name; double height; };
@@ -1859,14 +1860,14 @@ void leaves_are_no_cad_models()
       const double length = factor * mean_edge_length(input);
       const auto report = IAR::isotropic_remeshing(length, m);
       m.collect_garbage();
-      CHECK_MESSAGE(report.features != Features::all_sharp_edges, name);
+      CHECK_MESSAGE(report.features == Features::outstanding_edges, name);
       CHECK(topology(m) == topology(input));
       CHECK_MESSAGE(300 * report.crossing_faces < m.number_of_faces(), name << ": " << report.crossing_faces);
       const auto histogram = IAR::inter_angle_statistics(m).histogram;      // bins of 5 degrees
       const std::size_t needles = histogram[0] + histogram[1] + histogram[2];
-      CHECK_MESSAGE(300 * needles < m.number_of_faces(), name << ": " << needles);
-      CHECK_MESSAGE(factor * factor * m.number_of_faces() < 1.4 * input.number_of_faces(), name << ": " << m.number_of_faces());
-      CHECK_MESSAGE(IAR::surface_distance(input, m).mean() < .1 * length, name << ": " << IAR::surface_distance(input, m).mean() / length);
+      CHECK_MESSAGE(50 * needles < m.number_of_faces(), name << ": " << needles);
+      CHECK_MESSAGE(factor * factor * m.number_of_faces() < 1.8 * input.number_of_faces(), name << ": " << m.number_of_faces());
+      CHECK_MESSAGE(IAR::surface_distance(input, m).mean() < .04 * length, name << ": " << IAR::surface_distance(input, m).mean() / length);
     }
   }
 }

@@ -23,7 +23,7 @@
 
 // Which edges of a mesh are sharp, with nothing known but the mesh. On a CAD model, which shows in its dihedral angles,
 // every edge of 40 degrees and more is. Elsewhere the normals are filtered first; what then stands out of its surroundings
-// and continues for some length is a feature, and so are the rims of planar parts, creases of coarse models, and fillets.
+// and continues for some length is a feature, and so are the rims of planar parts and of leaves, creases of coarse models, and fillets.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -57,6 +57,7 @@ public:
   {
     if (kind_.has_voxel_stairs()) return {};
     if (kind_.is_cad()) return without_narrow_strips(kind_.sharp_edges(Model_kind::CAD_ANGLE));
+    if (kind_.is_leaf()) return long_chains(kind_.sharp_edges(Model_kind::CAD_ANGLE), {}, length_);
     const std::vector<Index> rims = planar_rims(normals_, own_length_, kind_.sharp_edges());
     Outstanding_edges outstanding(normals_, own_length_, kind_.sharp_edges());
     if (outstanding.are_none() && rims.empty()) return {};
@@ -119,7 +120,7 @@ private:
   {
     Feature_graph graph(mesh_, length);
     for (const Index h : edges) graph.add(h, normals_.angle(h), std::binary_search(certain.begin(), certain.end(), h));
-    if (kind_.has_jagged_chamfers()) graph.prune_part();
+    if (kind_.has_jagged_chamfers() || kind_.is_leaf()) graph.prune_part();
     else graph.prune();
     return graph.edges();
   }

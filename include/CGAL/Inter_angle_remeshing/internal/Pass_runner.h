@@ -166,7 +166,7 @@ public:
 
   void release_features()
   {
-    if (goes_on() && context_.may_release_features && repairs()) Feature_release(context_).run();
+    if (goes_on() && context_.release_distance > 0 && repairs()) Feature_release(context_).run();
   }
 
   // Chords much shorter than the surface's own do not lead through another sheet, but where the mesh is a wreck.

@@ -41,7 +41,7 @@ struct Remeshing_context
   double target_length;                // in the units of the flat mesh
   bool keeps_vertices;                 // nothing is split or collapsed: the target length is that of the edges that there are, a scale
 
-  bool may_release_features;           // they were found by themselves, and not on a CAD model
+  double release_distance;             // of corners of features that may be given up, in target lengths; 0: none may
   bool may_subdivide;                  // no rule of the user's says which edges are split, collapsed or flipped
   const Sizing& sizing;
   const Input_locator* locator;        // null where nobody asks for places

@@ -29,11 +29,12 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
                                   const Recipe& recipe, const Constraint_settings& settings)
 {
   using Features = Remeshing_report::Features;
-  Input_kind kind{false, false, false, Features::none, count_features(mesh), 0, {}};
+  Input_kind kind{false, false, false, false, Features::none, count_features(mesh), 0, {}};
   if (kind.feature_edges > 0) kind.features = Features::marked;
   if (!keeps_surface || recipe.surface == Recipe::Surface::paper) return kind;
   Feature_detector detector(mesh, (std::max)(target.length, mean_length));
   kind.is_cad = detector.kind().is_cad();
+  kind.is_leaf = detector.kind().is_leaf();
   kind.is_faceted = kind.is_cad || detector.kind().has_jagged_chamfers() || detector.kind().has_voxel_stairs();
   kind.saddle_excess = detector.kind().saddle_excess();
   kind.searches_features = settings.finds_features;

@@ -11,8 +11,8 @@
 
 #include <vector>
 
-// Where parts of an implicit surface or of a wrap meet, creases are jagged: corners of features lie so close together that the faces
-// between them are needles, whatever is done. On models that are no CAD models such features are given up.
+// Where parts of an implicit surface or of a wrap meet, creases are jagged, and the rims of leaves are a tangle: corners of features lie so
+// close together that the faces between them are needles, whatever is done. On models that are no CAD models such features are given up.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -40,8 +40,8 @@ public:
   }
 
 private:
-  // Two corners are too close together, in target lengths, where a face beside them has an angle less than this.
-  static constexpr double LEAST_DISTANCE = 0.3, LEAST_ANGLE = 20;
+  // Two corners are too close together where a face beside them has an angle less than this.
+  static constexpr double LEAST_ANGLE = 20;
 
   // Whether v is a corner of nothing but found features, close to another corner on one of these.
   bool is_close_corner(Index v) const
@@ -50,7 +50,7 @@ private:
     if (!mesh_.is_on_curve(v) || !mesh_.is_locked(v) || (mesh_.marks(v) & STAYS) != 0 || is_kept(v)) return false;
     bool is_close = false;
     for_each_curve_halfedge(mesh_, v, [&](Index h) {
-      const double least = LEAST_DISTANCE * context_.length_at(v, mesh_.target(h));
+      const double least = context_.release_distance * context_.length_at(v, mesh_.target(h));
       is_close = is_close || (mesh_.is_locked(mesh_.target(h)) && mesh_.squared_edge_length(h) < least * least);
     });
     return is_close;

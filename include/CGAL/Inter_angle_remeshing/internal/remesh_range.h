@@ -104,12 +104,15 @@ auto split_policy(const Parameters& parameters, const Input_kind& kind)
   return parameters.split_policy;
 }
 
-// Whether features may be given up. A vertex that the user holds is one of theirs as a corner is.
+// How far apart corners of features may be, in target lengths, that are given up; 0: none are. A vertex that the user holds is one of
+// theirs as a corner is.
 template <class Parameters>
-bool may_release_features(const Parameters& parameters, const Input_kind& kind)
+double release_distance(const Parameters& parameters, const Input_kind& kind)
 {
-  return kind.searches_features && !kind.is_cad &&
-         std::is_same<std::decay_t<decltype(parameters.vertex_is_constrained_map)>, No_map>::value;
+  constexpr double OF_JAGGED_CREASES = 0.3, OF_TANGLES = 1;
+  const bool may_release = kind.searches_features && !kind.is_cad &&
+                           std::is_same<std::decay_t<decltype(parameters.vertex_is_constrained_map)>, No_map>::value;
+  return !may_release ? 0. : kind.is_leaf ? OF_TANGLES : OF_JAGGED_CREASES;
 }
 
 // Whether curves hold details that the target length must fall to. One much under the length of the input's edges finds none.
@@ -190,7 +193,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
     Remeshing_context context{mesh, parameters.recipe, curves, rule(split_policy(parameters, kind), keeps_vertices),
                               rule(parameters.collapse_policy, keeps_vertices), rule(parameters.flip_policy), projector,
                               parameters.visitor, parameters.may_collapse_constraints,
-                              target, keeps_vertices, may_release_features(parameters, kind), parameters.may_subdivide, wanted.sizing,
+                              target, keeps_vertices, release_distance(parameters, kind), parameters.may_subdivide, wanted.sizing,
                               locator ? &*locator : nullptr, has_small_details ? parameters.recipe.grading : 0.,
                               noise(kind, mean_length, target), Grading(), Kept_places()};
     const Run_result result = run_passes<Concurrency>(context, parameters.schedule, untouched);
