@@ -135,7 +135,7 @@ public:
   /// as `edge_is_constrained_map`, they keep their places; `detect_features()` adds the features, which are not looked for then.
   /// @tparam EdgeMap a class model of `WritablePropertyMap` with the edges of `TriangleMesh` as key type and `bool` as value type;
   ///         `true` is put for seams, nothing for other edges
-  /// @returns the number of these edges
+  /// @returns the number of these edges. Complexity: linear in the number of edges; maps and their comparison may throw
   template <class EdgeMap>
   std::size_t mark_seams(const TriangleMesh& mesh, EdgeMap is_seam) const
   {
