@@ -22,6 +22,8 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/centroid.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include "check.h"
 #include "invariants.h"
 #include "marching_cubes.h"
@@ -1841,6 +1843,77 @@ void jagged_creases_leave_room_for_good_angles()
   }
 }
 
+// A lens of radius 1, or a ring from `inner` to 1 if that is positive, stretched along the x axis: round rims of this radius, between
+// which it is thicker by the bulge on both sides.
+Mesh lens(double inner, double rim, double bulge, double stretch = 1)
+{
+  constexpr int STEPS = 30, RIM_STEPS = 16;
+  const auto height = [&](double t) { return rim + bulge * (inner > 0 ? 4 * t * (1 - t) : 1 - t * t); };
+  const auto radius = [&](double t) { return inner + t * (1 - inner); };
+  meshes::Profile bottom, top;
+  for(int i = 1; i < STEPS; ++i)
+  {
+    const double t = double(i) / STEPS;
+    bottom.push_back({radius(t), -height(t)});
+    top.push_back({radius(1 - t), height(1 - t)});
+  }
+  meshes::Profile profile = meshes::joined(meshes::joined(bottom, meshes::arc(1, 0, rim, -.5, .5, RIM_STEPS)), top);
+  if(inner > 0)
+    profile = meshes::joined(profile, meshes::arc(inner, 0, rim, .5, 1.5, RIM_STEPS));
+  Soup soup = meshes::turned(profile, 240, inner > 0);
+  for(auto& p : soup.points)
+    p[0] *= stretch;
+  return meshes::to_mesh<Mesh>(soup);
+}
+
+// Over the rim of a lens the surface turns back within less than the target length. Edges that lead across would cut it off. What guides
+// the iterations there is no feature: angles are as good as elsewhere, and nothing is marked.
+void crests_guide_on_thin_bodies()
+{
+  struct Case { Mesh input; double length; };
+  std::vector<Case> cases = {{lens(0, .02, .1), .16}};
+  if(!meshes::is_small_run())
+    cases.insert(cases.end(), {{lens(0, .02, .1), .08}, {lens(0, .015, 0), .1}, {lens(0, .02, .1, 1.7), .12},
+                               {lens(.4, .02, .06), .12}, {lens(.6, .01, .03, 1.5), .06}});
+  for(const auto& [input, length] : cases)
+  {
+    Mesh with = input, without = input, marked = input;
+    const auto report = IAR::isotropic_remeshing(length, with);
+    IAR::Recipe recipe;
+    recipe.crest_width = 0;
+    IAR::isotropic_remeshing(length, without, IAR::recipe(recipe));
+    with.collect_garbage();
+    without.collect_garbage();
+    CHECK(report.features == Features::none && report.feature_edges == 0 && report.band_holds);
+    CHECK(topology(with) == topology(input) && !does_self_intersect(with));
+    const auto near = IAR::surface_distance(input, with), far = IAR::surface_distance(input, without);
+    CHECK_MESSAGE(near.hausdorff() < .36 * length, length << ": " << near.hausdorff() / length);
+    CHECK_MESSAGE(far.hausdorff() > 1.4 * near.hausdorff(), length << ": " << far.hausdorff() / near.hausdorff());
+    CHECK_MESSAGE(near.mean() < .85 * far.mean(), length << ": " << near.mean() / far.mean());
+
+    // Nor is one in an edge map that is handed over, whenever the run is cancelled; and vertices that are held stay so.
+    Edge_map is_marked = marked.add_property_map<Edge, bool>("e:marked", false).first;
+    std::map<Vertex, Point> held;
+    for(const Vertex v : marked.vertices())
+      if(v.idx() % 97 == 0)
+        held[v] = marked.point(v);
+    const auto is_held = CGAL::parameters::vertex_is_constrained_map(
+      boost::make_function_property_map<Vertex>([&](Vertex v) { return held.count(v) != 0; }));
+    for(const int calls : {20, 1000})
+    {
+      Mesh m = marked;
+      is_marked = m.property_map<Edge, bool>("e:marked").first;
+      int left = calls;
+      IAR::isotropic_remeshing(length, m, is_held.edge_is_constrained_map(is_marked).callback([&](double) { return --left > 0; }));
+      for(const auto& [v, p] : held)
+        CHECK(!m.is_removed(v) && m.point(v) == p);
+      CHECK(std::none_of(m.edges_begin(), m.edges_end(), [&](Edge e) { return is_marked[e]; }));
+      m.collect_garbage();
+      CHECK(topology(m) == topology(input));
+    }
+  }
+}
+
 // What has grown and is as flat as a leaf has a rim that is a tangle of sharp edges: the features of a part would leave needles. Its rim
 // is a feature as far as faces are good.
 void leaves_are_no_cad_models()
@@ -1860,13 +1933,13 @@ void leaves_are_no_cad_models()
       const double length = factor * mean_edge_length(input);
       const auto report = IAR::isotropic_remeshing(length, m);
       m.collect_garbage();
-      CHECK_MESSAGE(report.features == Features::outstanding_edges, name);
+      CHECK_MESSAGE(report.features != Features::all_sharp_edges, name);
       CHECK(topology(m) == topology(input));
       CHECK_MESSAGE(300 * report.crossing_faces < m.number_of_faces(), name << ": " << report.crossing_faces);
       const auto histogram = IAR::inter_angle_statistics(m).histogram;      // bins of 5 degrees
       const std::size_t needles = histogram[0] + histogram[1] + histogram[2];
-      CHECK_MESSAGE(50 * needles < m.number_of_faces(), name << ": " << needles);
-      CHECK_MESSAGE(factor * factor * m.number_of_faces() < 1.8 * input.number_of_faces(), name << ": " << m.number_of_faces());
+      CHECK_MESSAGE(200 * needles < m.number_of_faces(), name << ": " << needles);
+      CHECK_MESSAGE(factor * factor * m.number_of_faces() < 1.4 * input.number_of_faces(), name << ": " << m.number_of_faces());
       CHECK_MESSAGE(IAR::surface_distance(input, m).mean() < .04 * length, name << ": " << IAR::surface_distance(input, m).mean() / length);
     }
   }
@@ -1950,6 +2023,7 @@ int main()
   one_rim_of_a_jagged_chamfer_is_a_feature();
   jagged_creases_leave_room_for_good_angles();
   leaves_are_no_cad_models();
+  crests_guide_on_thin_bodies();
   grading_mends_jagged_borders();
   dense_curves_leave_no_needles();
   round_rims_are_coarsened();

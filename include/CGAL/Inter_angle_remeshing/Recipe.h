@@ -87,6 +87,14 @@ struct Recipe
   /// themselves, see `detect_features()`: the edges of a result would cut a narrower fillet off, and leave a serrated rim. 0: none
   /// are, at most 1.
   double fillet_width = 0.45;
+  /// the width of crests, in target lengths: where the surface of a thin body turns back within it, by 120 degrees and more, as over the
+  /// rounded leading edge of a wing, the rim of a lens or of a leaf, the edges along the middle guide the iterations as features do, so
+  /// that no edge leads across and cuts the crest off. They are released before the clean-up: angles beside them are as good as
+  /// elsewhere, and neither the report nor an edge map knows them. A body is thin where crests are at least 0.6 times as long as the root
+  /// of the area of the range; those that are shorter than two target lengths for each end that leads nowhere do not count. 0: none
+  /// guide, at most 2. None does where the input is noisy, with length 0, where a policy is handed over or features may not be collapsed,
+  /// and with a projection functor that knows no surface.
+  double crest_width = 0.8;
   /// how densely ridges and grooves of CAD models may lie where features are found by themselves, see `detect_features()`: where a cube
   /// of two target lengths has more than so many target lengths of each, and they are low, they are a relief that no edges of the
   /// target length can follow, as the stairs of voxels, threads and knurls, and no features. Not negative; infinity keeps them all.
@@ -152,6 +160,7 @@ struct Recipe
     r.multi_level = false;
     r.grading = 0;
     r.fillet_width = 0;
+    r.crest_width = 0;
     r.relief_density = std::numeric_limits<double>::infinity();
     r.merging_distance = 0;
     r.clean_up = false;

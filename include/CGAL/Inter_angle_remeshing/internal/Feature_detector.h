@@ -23,7 +23,7 @@
 
 // Which edges of a mesh are sharp, with nothing known but the mesh. On a CAD model, which shows in its dihedral angles,
 // every edge of 40 degrees and more is. Elsewhere the normals are filtered first; what then stands out of its surroundings
-// and continues for some length is a feature, and so are the rims of planar parts and of leaves, creases of coarse models, and fillets.
+// and continues for some length is a feature, and so are the rims of planar parts, creases of coarse models, and fillets.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -44,7 +44,8 @@ public:
   // Features shorter than a few times `length`, or than a few edges of the mesh, are none: of those that the mesh has on its own, a
   // greater length leaves some.
   Feature_detector(const Remeshing_mesh& mesh, double length)
-    : mesh_(mesh), length_(length), own_length_(mean_edge_length(mesh)), normals_(mesh), kind_(normals_, own_length_)
+    : mesh_(mesh), length_(length), own_length_(mean_edge_length(mesh)), normals_(mesh), kind_(normals_, own_length_),
+      unfiltered_(normals_.all())
   {}
 
   Feature_detector(const Feature_detector&) = delete;     // `kind_` refers to `normals_`
@@ -57,7 +58,6 @@ public:
   {
     if (kind_.has_voxel_stairs()) return {};
     if (kind_.is_cad()) return without_narrow_strips(kind_.sharp_edges(Model_kind::CAD_ANGLE));
-    if (kind_.is_leaf()) return long_chains(kind_.sharp_edges(Model_kind::CAD_ANGLE), {}, length_);
     const std::vector<Index> rims = planar_rims(normals_, own_length_, kind_.sharp_edges());
     Outstanding_edges outstanding(normals_, own_length_, kind_.sharp_edges());
     if (outstanding.are_none() && rims.empty()) return {};
@@ -75,7 +75,6 @@ public:
     if (kind_.has_voxel_stairs()) return {};
     const bool is_cad = kind_.is_cad();
     const bool may_have_fillets = fillet_width > 0 && (is_cad || normals_.planar_share() >= LEAST_PLANAR_SHARE);
-    const std::vector<Vector3> unfiltered = may_have_fillets ? normals_.all() : std::vector<Vector3>();
     Found_features result;
     std::vector<Index>& found = result.edges;
     found = features();
@@ -83,7 +82,7 @@ public:
       if (is_coarse(h, lengths[h >> 2]) && is_coarse(mesh_.opposite(h), lengths[mesh_.opposite(h) >> 2]))
         found.push_back(h);
     Rounded_edges rounded;
-    if (may_have_fillets) rounded = Rounded_edge_finder(mesh_, unfiltered, found, lengths).find(fillet_width);
+    if (may_have_fillets) rounded = Rounded_edge_finder(mesh_, unfiltered_, found, lengths).find(fillet_width);
     if (is_cad) drop_fine_relief(found, std::move(lengths), relief_density);       // not before: what goes is no fillet either
     const std::size_t others = found.size();
     found.insert(found.end(), rounded.edges.begin(), rounded.edges.end());
@@ -94,6 +93,13 @@ public:
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return result;
+  }
+
+  // One half-edge of each edge of the crests of thin bodies, of at most so many target lengths, by face; none in noise, or on stairs.
+  std::vector<Index> crests(const std::vector<Index>& features, std::vector<double> lengths, double crest_width) const
+  {
+    if (!(crest_width > 0) || kind_.has_voxel_stairs() || kind_.saddle_excess() > 0) return {};
+    return Rounded_edge_finder(mesh_, unfiltered_, features, std::move(lengths)).find_crests(crest_width);
   }
 
 private:
@@ -120,7 +126,7 @@ private:
   {
     Feature_graph graph(mesh_, length);
     for (const Index h : edges) graph.add(h, normals_.angle(h), std::binary_search(certain.begin(), certain.end(), h));
-    if (kind_.has_jagged_chamfers() || kind_.is_leaf()) graph.prune_part();
+    if (kind_.has_jagged_chamfers()) graph.prune_part();
     else graph.prune();
     return graph.edges();
   }
@@ -165,6 +171,7 @@ private:
   double length_, own_length_;
   Face_normals normals_;
   Model_kind kind_;
+  std::vector<Vector3> unfiltered_;      // normals
 };
 
 } // namespace internal

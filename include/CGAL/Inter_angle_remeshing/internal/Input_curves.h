@@ -34,14 +34,16 @@ public:
   void bend(const Offsets& offsets);
 
   // Whether an edge is less than this long that no collapse can make longer: from corner to corner, or one of the last three of a
-  // closed curve.
+  // closed curve. What is there for the iterations alone does not count.
   bool have_last_edges_under(double length) const
   {
-    return std::any_of(curves_.begin(), curves_.end(), [&](const Curve& c) { return c.length < (c.is_closed ? 3 : 1) * length; });
+    return std::any_of(curves_.begin(), curves_.end(), [&](const Curve& c) {
+      return !c.is_passing && c.length < (c.is_closed ? 3 : 1) * length; });
   }
   // The point at arc length t; on a closed curve t may be any number.
   Vector3 point(Index curve, double t) const;
-  // A bound of the distance from the part of the curve between s and t to the segment from p to q, which lie there.
+  // A bound of the distance from the part of the curve between s and t to the segment from p to q, which lie there; 0 where the curve is
+  // there for the iterations alone, and zigzags as the input's edges do.
   double deviation(Index curve, double s, double t, Vector3 p, Vector3 q) const;
 
 private:
@@ -50,6 +52,7 @@ private:
     std::size_t begin, end;          // of its points
     double length;
     bool is_closed;                  // its last point is its first one again
+    bool is_passing;
   };
 
   struct Bend { Vector3 at_begin, at_end; };
@@ -113,7 +116,7 @@ inline void Input_curves::follow(Remeshing_mesh& mesh, Index v, Index h, std::ve
     if (u == v) { is_closed = true; break; }
     k = following;
   }
-  curves_.push_back({begin, points_.size(), arc_length_.back(), is_closed});
+  curves_.push_back({begin, points_.size(), arc_length_.back(), is_closed, mesh.has_flag(h < 0 ? ~h : h, Remeshing_mesh::PASSING)});
   const Curve& c = curves_.back();
   guide_.resize(points_.size());
   std::size_t cell = begin;
@@ -163,6 +166,7 @@ inline double Input_curves::deviation(Index curve, double s, double t, Vector3 p
 {
   if (s > t) { std::swap(s, t); std::swap(p, q); }
   const Curve& c = curves_[curve];
+  if (c.is_passing) return 0;
   const double period = c.is_closed ? c.length : 0;
   double turns = period > 0 ? std::floor(s / period) * period : 0.;
   double largest = 0;

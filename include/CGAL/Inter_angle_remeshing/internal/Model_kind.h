@@ -72,8 +72,6 @@ public:
   }
 
   bool is_cad() const { return is_cad_; }
-  // Whether it would be a CAD model, were its sharp edges not the rim of a leaf.
-  bool is_leaf() const { return is_leaf_; }
   // Whether it would be a CAD model, had it sharp edges instead of jagged chamfers.
   bool has_jagged_chamfers() const { return has_jagged_chamfers_; }
   // Whether its sharp edges are those of the stairs that marching cubes leave. It is no CAD model then.
@@ -115,9 +113,7 @@ private:
     const Lengths lengths = measure_edges();
     const std::vector<Index> candidates = sharp_edges(CAD_ANGLE);
     count_vertices(candidates);
-    is_cad_ = looks_designed(lengths, candidates);
-    is_leaf_ = is_cad_ && are_of_leaves(lengths);
-    is_cad_ = is_cad_ && !is_leaf_;
+    is_cad_ = looks_designed(lengths, candidates) && !are_of_leaves(lengths);
     const Jagged_chamfers chamfers(normals_, candidates);
     has_voxel_stairs_ = are_stairs(chamfers);
     has_jagged_chamfers_ = is_cad_ && !has_voxel_stairs_ && chamfers.are_there(own_length_) &&
@@ -234,7 +230,7 @@ private:
   const Face_normals& normals_;
   const Remeshing_mesh& mesh_;
   double own_length_;
-  bool is_cad_ = false, is_leaf_ = false, has_jagged_chamfers_ = false, has_voxel_stairs_ = false;
+  bool is_cad_ = false, has_jagged_chamfers_ = false, has_voxel_stairs_ = false;
   std::size_t sharp_vertices_ = 0, free_ends_ = 0, junctions_ = 0, saddles_ = 0;       // of edges of CAD_ANGLE
   std::vector<Index> sharp_edges_, creases_;
 };

@@ -166,8 +166,10 @@ public:
 
   void release_features()
   {
-    if (goes_on() && context_.release_distance > 0 && repairs()) Feature_release(context_).run();
+    if (goes_on() && context_.release_distance > 0 && repairs()) Feature_release(context_).release_close_corners();
   }
+
+  void release_crests() { Feature_release(context_).release_crests(); }
 
   // Chords much shorter than the surface's own do not lead through another sheet, but where the mesh is a wreck.
   void part_crossing_faces(Repairer& repairer)

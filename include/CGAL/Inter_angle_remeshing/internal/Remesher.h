@@ -335,6 +335,7 @@ private:
     passes_.measure_grading();
     mend_valences();
     if (goes_on() && clock_.levels() > 0) mend_spots();
+    passes_.release_crests();
     context_.kept_places.note(mesh_);
     mend_faces();
     for (int round = 0; round < MOST_RECOUNTS && goes_on() && misses_face_count(); ++round) {
@@ -378,6 +379,7 @@ private:
   void finish()
   {
     if (report_.ending == Remeshing_report::Ending::cancelled && !is_fitted_) passes_.pull_back();
+    passes_.release_crests();
     if (mesh_.has_free_slots()) mesh_.renumber<ConcurrencyTag>(mesh_.block_order());
     report_.output_faces = mesh_.number_of_live_faces();
     report_.target_edge_length = context_.keeps_vertices ? 0. : mesh_.unit() * context_.target_length;

@@ -25,7 +25,8 @@
 
 // The edges of machine parts are rounded. No face of a result follows a fillet that is narrower than the target length: edges that
 // lead across cut it off, and leave a serrated rim. A chain of edges along its middle, where the surface has turned half of its
-// way, is as good as a sharp edge.
+// way, is as good as a sharp edge. Nor does one follow the crests over which the surface of a thin body turns back: the leading edge
+// of a wing, the rim of a lens, an ear. Nothing is flat beside these.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -49,14 +50,21 @@ public:
   // half as wide: the plate's thickness must not go.
   Rounded_edges find(double widest)
   {
-    find_chains({widest, LEAST_TURN_BACK});
-    find_chains({widest / 2, 180});
-    settle_free_ends(widest);
-    Rounded_edges result;
-    for (Index h = 0; h < Index(state_.size()); ++h)
-      if (state_[h] == State::chosen && mesh_.opposite(h) > h) result.edges.push_back(h);
-    result.joints = find_joints();
-    return result;
+    for (const Scale& scale : {Scale{widest, LEAST_TURN_BACK}, Scale{widest / 2, 180}})
+      find_chains(scale.width, [&](Index h) { return imbalance_on_fillet(h, scale); });
+    settle_free_ends(widest, LENGTH_A_FREE_END);
+    return {chosen_edges(), find_joints()};
+  }
+
+  // One half-edge of each edge of the crests, sorted, over which the surface turns back within so many target lengths; none where they
+  // are too short for the area of a thin body.
+  std::vector<Index> find_crests(double width)
+  {
+    find_chains(width, [&](Index h) { return imbalance_on_crest(h, width); });
+    settle_free_ends(width, CREST_LENGTH_A_FREE_END);
+    std::vector<Index> crests = chosen_edges();
+    if (length_of(crests) < THIN_SHARE * std::sqrt(area())) crests.clear();
+    return crests;
   }
 
 private:
@@ -81,12 +89,17 @@ private:
   static constexpr double MARGIN = 0.5, LEAST_MARGIN = 0.25;
   // The sum of the turns may be so much more than the turn from side to side: fillets do not turn to and fro.
   static constexpr double MOST_SWAY = 1.2;
+  // The crests of a thin body are at least so long, over the root of its area: those of a lens 2.5, of a wing 1.6.
+  static constexpr double THIN_SHARE = 0.6;
   // How far a way goes, over the width: an edge beside the middle of three facets has two thirds of a fillet on one side.
   static constexpr double REACH = 1.2;
   // How far from the middle an edge may be, as a part of the turn.
   static constexpr double LARGEST_IMBALANCE = 0.25;
+  // Beside a crest, as far from its middle as it is wide, the surface turns by no more than so many degrees. Its middle is bent by this
+  // part of the mean at least, the chord between the unit normals over the mean altitude of the faces taken for the bend.
+  static constexpr double MOST_TURN_BESIDE_CREST = 30, LEAST_BEND = 0.5;
   // In target lengths: chains, closed ones, and what each end takes that leads nowhere.
-  static constexpr double LEAST_CHAIN = 1, LEAST_LOOP = 3, LENGTH_A_FREE_END = 4;
+  static constexpr double LEAST_CHAIN = 1, LEAST_LOOP = 3, LENGTH_A_FREE_END = 4, CREST_LENGTH_A_FREE_END = 2;
   static constexpr int MOST_STEPS = 200;
 
   static double turn(const Vector3& a, const Vector3& b) { return std::atan2(length(cross(a, b)), dot(a, b)) * (180 / CGAL_PI); }
@@ -97,6 +110,13 @@ private:
   {
     double sum = 0;
     for (const Index h : chain) sum += length(along(h));
+    return sum;
+  }
+  double area() const
+  {
+    double sum = 0;
+    for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f)
+      if (mesh_.is_face(f)) sum += length(cross(along(4 * f), along(4 * f + 1))) / 2;
     return sum;
   }
   // The unit vector at a right angle to h into its face, which has a normal.
@@ -123,12 +143,23 @@ private:
     return result;
   }
 
+  std::vector<Index> chosen_edges() const
+  {
+    std::vector<Index> result;
+    for (Index h = 0; h < Index(state_.size()); ++h)
+      if (state_[h] == State::chosen && mesh_.opposite(h) > h) result.push_back(h);
+    return result;
+  }
+
   bool walk(Index h, double distance, Way& way) const;
-  double imbalance(Index h, const Scale& scale);
+  double imbalance_on_fillet(Index h, const Scale& scale);
+  double imbalance_on_crest(Index h, double width);
+  bool is_bent(Index h, double least) const;
   bool is_beside_chosen(Index h, double distance);
-  void find_chains(const Scale& scale);
+  template <class Imbalance>
+  void find_chains(double width, const Imbalance& imbalance);
   void grow(Index h, double part, Chain& chain);
-  void settle_free_ends(double widest);
+  void settle_free_ends(double widest, double length_a_free_end);
   bool join(Index h, double distance);
   std::vector<Index> find_joints() const;
 
@@ -177,9 +208,10 @@ inline bool Rounded_edge_finder::walk(Index h, double distance, Way& way) const
 
 // How far the edge of h is from the middle of a fillet, as a part of its turn, and 0 for those next to it; infinite where there is
 // no fillet, or it is wider than the scale, or nothing flat lies beside it.
-inline double Rounded_edge_finder::imbalance(Index h, const Scale& scale)
+inline double Rounded_edge_finder::imbalance_on_fillet(Index h, const Scale& scale)
 {
   constexpr double none = std::numeric_limits<double>::infinity();
+  if (turn(normal(h), normal(mesh_.opposite(h))) < LEAST_TURN_OF_EDGE) return none;
   const std::array<Index, 2> sides = {h, mesh_.opposite(h)};
   const double widest = scale.width * target_length(h), reach = REACH * widest;
   std::array<Vector3, 2> beyond;
@@ -206,6 +238,41 @@ inline double Rounded_edge_finder::imbalance(Index h, const Scale& scale)
   return (std::max)(0., std::abs(turns[0] - turns[1]) - own) / whole;
 }
 
+// The same for crests: infinite where the surface does not turn back within the width, or does not stop turning beyond.
+inline double Rounded_edge_finder::imbalance_on_crest(Index h, double width)
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const double reach = width * target_length(h);
+  if (!is_bent(h, LEAST_BEND * LEAST_TURN_BACK * (CGAL_PI / 180) / reach)) return none;
+  const std::array<Index, 2> sides = {h, mesh_.opposite(h)};
+  const double own = turn(normal(h), normal(sides[1]));
+  std::array<Vector3, 2> at_foot;
+  std::array<double, 2> turns;
+  for (const int k : {0, 1}) {
+    if (!walk(sides[k], reach / 2, ways_[k])) return none;
+    at_foot[k] = ways_[k].empty() ? normal(sides[k]) : normal(ways_[k].back().halfedge);
+    turns[k] = turn(normal(sides[k]), at_foot[k]);
+    if (2 * turns[k] + own < (1 - LARGEST_IMBALANCE) * LEAST_TURN_BACK) return none;
+  }
+  const double whole = turn(at_foot[0], at_foot[1]);
+  if (whole < LEAST_TURN_BACK || turns[0] + own + turns[1] > MOST_SWAY * 180) return none;
+  for (const int k : {0, 1}) {
+    walk(sides[k], reach, ways_[k]);                      // as far as it leads
+    if (!ways_[k].empty() && turn(at_foot[k], normal(ways_[k].back().halfedge)) > MOST_TURN_BESIDE_CREST) return none;
+  }
+  return (std::max)(0., std::abs(turns[0] - turns[1]) - own) / whole;
+}
+
+// Whether the chord between the unit normals at h, over the mean altitude of its faces, is at least this.
+inline bool Rounded_edge_finder::is_bent(Index h, double least) const
+{
+  const Index o = mesh_.opposite(h);
+  const Vector3 edge = along(h), start = mesh_.position(mesh_.origin(h));
+  const double squared_areas = squared_length(cross(edge, mesh_.position(mesh_.apex(h)) - start)) +
+                               squared_length(cross(edge, mesh_.position(mesh_.apex(o)) - start));
+  return squared_length(normal(h) - normal(o)) * squared_length(edge) >= least * least * squared_areas / 2;
+}
+
 inline bool Rounded_edge_finder::is_beside_chosen(Index h, double distance)
 {
   for (const Index side : {h, mesh_.opposite(h)}) {
@@ -216,26 +283,26 @@ inline bool Rounded_edge_finder::is_beside_chosen(Index h, double distance)
 }
 
 // The edges nearest to the middle come first, of these the longest; no other chain of a fillet is followed beside a chosen one.
-inline void Rounded_edge_finder::find_chains(const Scale& scale)
+template <class Imbalance>
+void Rounded_edge_finder::find_chains(double width, const Imbalance& imbalance)
 {
   std::vector<std::tuple<double, double, Index>> seeds;
   for (Index h = 0; h < Index(state_.size()); ++h) {
-    if (mesh_.corner(h) == 3 || mesh_.opposite(h) < h || is_curve(h) ||
-        turn(normal(h), normal(mesh_.opposite(h))) < LEAST_TURN_OF_EDGE) continue;
-    const double off = imbalance(h, scale);
+    if (mesh_.corner(h) == 3 || mesh_.opposite(h) < h || is_curve(h)) continue;
+    const double off = imbalance(h);
     const bool is_candidate = off <= LARGEST_IMBALANCE;
     mark(h, is_candidate ? State::candidate : State::plain);
     if (is_candidate) seeds.emplace_back(off, -mesh_.squared_edge_length(h), h);
   }
   std::sort(seeds.begin(), seeds.end());
   for (const auto& [off, order, h] : seeds) {
-    if (state_[h] != State::candidate || is_beside_chosen(h, scale.width * target_length(h))) continue;
+    if (state_[h] != State::candidate || is_beside_chosen(h, width * target_length(h))) continue;
     Chain chain = {mesh_.opposite(h)};
     mark(h, State::chosen);
-    grow(mesh_.opposite(h), scale.width, chain);
+    grow(mesh_.opposite(h), width, chain);
     std::reverse(chain.begin(), chain.end());
     for (Index& k : chain) k = mesh_.opposite(k);
-    grow(h, scale.width, chain);
+    grow(h, width, chain);
     const bool is_closed = mesh_.target(chain.back()) == mesh_.origin(chain.front());
     if (length_of(chain) >= (is_closed ? LEAST_LOOP : LEAST_CHAIN) * target_length(h)) chains_.push_back(std::move(chain));
     else for (const Index k : chain) mark(k, State::plain);
@@ -268,13 +335,13 @@ inline void Rounded_edge_finder::grow(Index h, double part, Chain& chain)
 
 // Where several fillets meet, in a spherical corner, their middles end beside each other, and are joined. Chains that end elsewhere
 // are features if they are long.
-inline void Rounded_edge_finder::settle_free_ends(double widest)
+inline void Rounded_edge_finder::settle_free_ends(double widest, double length_a_free_end)
 {
   for (const Chain& chain : chains_) {
     int free_ends = 0;
     for (const Index h : {chain.back(), mesh_.opposite(chain.front())})
       free_ends += curves_at(mesh_.target(h)).first == 1 && !join(h, widest * target_length(h));
-    if (length_of(chain) < free_ends * LENGTH_A_FREE_END * target_length(chain.front()))
+    if (length_of(chain) < free_ends * length_a_free_end * target_length(chain.front()))
       for (const Index h : chain) mark(h, State::plain);
   }
 }

@@ -45,6 +45,8 @@ inline void check_recipe(const Recipe& recipe)
     refuse(REMESHING, "Recipe::fit_tangential_weight is " + to_text(recipe.fit_tangential_weight) + "; it must lie in (0, 1]");
   if (!(recipe.fillet_width >= 0 && recipe.fillet_width <= 1))
     refuse(REMESHING, "Recipe::fillet_width is " + to_text(recipe.fillet_width) + "; it must lie in [0, 1]");
+  if (!(recipe.crest_width >= 0 && recipe.crest_width <= 2))
+    refuse(REMESHING, "Recipe::crest_width is " + to_text(recipe.crest_width) + "; it must lie in [0, 2]");
   if (!(recipe.merging_distance >= 0 && recipe.merging_distance <= LARGEST_MERGING_DISTANCE))
     refuse(REMESHING, "Recipe::merging_distance is " + to_text(recipe.merging_distance) + "; it must lie in [0, " +
                       to_text(LARGEST_MERGING_DISTANCE) + "]");

@@ -163,7 +163,7 @@ private:
     for_each_curve_halfedge(mesh_, c, [&](Index h) { spur = h; });
     if (spur < 0) return;
     const Index b = mesh_.target(spur);
-    mesh_.remove_flags(spur, Remeshing_mesh::CONSTRAINED | Remeshing_mesh::FOUND);
+    mesh_.remove_flags(spur, Remeshing_mesh::CONSTRAINED | Remeshing_mesh::FOUND | Remeshing_mesh::PASSING);
     for (const Index v : {b, c}) {
       bool is_on_feature = false;
       for_each_curve_halfedge(mesh_, v, [&](Index h) { is_on_feature = is_on_feature || (h >= 0 && mesh_.is_constrained(h)); });

@@ -108,23 +108,29 @@ inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h,
 // of the sine.
 constexpr double COLLAPSED_SQUARED_SINE = 0.0669872981077807;
 
+// Whether h leads to a curve, or one touches the star of its source.
+inline bool is_near_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  return mesh.is_on_curve(mesh.source(mesh.opposite(h))) || !mesh.all_around(mesh.source(h), [&](Remeshing_mesh::Index k) {
+    return !mesh.is_on_curve(mesh.target(k)) && !mesh.is_on_curve(mesh.apex(k)); });
+}
+
 // Whether faces beside a curve stay fit when the source of h is merged into its target.
 inline bool keeps_faces_at_curves(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
   using Index = Remeshing_mesh::Index;
   const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
   const Vector3 &p = mesh.position(a), &q = mesh.position(b);
-  bool is_near_curve = mesh.is_on_curve(b);
+  if (!is_near_curve(mesh, h)) return true;
   double before = 1, after = 1;
   // Whether the edge between b and u is on a curve, once b has taken the edges of a over.
   const auto will_be_on_curve = [&](Index u, bool is_on_curve_from_a) {
-    const Index existing = mesh.find_halfedge(b, u), reverse = existing < 0 ? mesh.find_halfedge(u, b) : existing;
+    const Index existing = mesh.find_halfedge(b, u), reverse = existing < 0 && mesh.is_border_vertex(b) ? mesh.find_halfedge(u, b) : existing;
     return is_on_curve_from_a || (reverse >= 0 && mesh.is_on_curve_edge(reverse));
   };
   const bool keeps_corners = mesh.all_around(a, [&](Index k) {
     const Index c = mesh.target(k), d = mesh.apex(k);
     const Vector3 &r = mesh.position(c), &s = mesh.position(d);
-    is_near_curve = is_near_curve || mesh.is_on_curve(c) || mesh.is_on_curve(d);
     before = (std::min)(before, squared_sine_of_smallest_angle(p, r, s));
     if (c == b || d == b) return true;
     after = (std::min)(after, squared_sine_of_smallest_angle(q, r, s));
@@ -136,7 +142,7 @@ inline bool keeps_faces_at_curves(const Remeshing_mesh& mesh, Remeshing_mesh::In
                is_d = will_be_on_curve(d, mesh.is_on_curve_edge(mesh.prev(k)));
     return !(is_c && is_d && is_wide(q, r, s)) && !(is_link && ((is_c && is_wide(r, q, s)) || (is_d && is_wide(s, q, r))));
   });
-  return keeps_corners && !(is_near_curve && after < COLLAPSED_SQUARED_SINE && after < before);
+  return keeps_corners && !(after < COLLAPSED_SQUARED_SINE && after < before);
 }
 
 // Whether no face turns by more than 26 degrees when the source of h is merged into its target.

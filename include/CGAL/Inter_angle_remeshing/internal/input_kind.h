@@ -22,7 +22,6 @@ namespace internal {
 struct Input_kind
 {
   bool is_cad;                   // the dihedral angles tell a CAD model
-  bool is_leaf;                  // they would, were sharp edges not a tangle along its rim
   bool is_faceted;               // so they do, or a wrap of one, or stairs of voxels: its faces are no samples of a smooth surface
   bool searches_features;        // its sharp edges were looked for, and those that were found are constrained
   Remeshing_report::Features features;
@@ -32,9 +31,10 @@ struct Input_kind
 };
 
 // The `target` is in the units of the mesh, as is the `mean_length` of its edges. Features are found by themselves where nothing is
-// marked, if the run keeps to the input's surface: a functor of the user's may lead to any other, a sphere for an icosahedron.
+// marked, if the run keeps to the input's surface: a functor of the user's may lead to any other, a sphere for an icosahedron. So are
+// crests of at most so many target lengths, whatever is marked; as they are there for the iterations alone, they are not counted.
 CGAL_INTER_ANGLE_REMESHING_INLINE
-Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, double mean_length, bool keeps_surface,
+Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, double mean_length, bool keeps_surface, double crest_width,
                                   const Recipe& recipe, const Constraint_settings& settings);
 
 // How rough noise makes the stars of a mesh with edges of the target length: the shorter these are beside the input's, the rougher.

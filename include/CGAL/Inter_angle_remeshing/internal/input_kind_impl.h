@@ -17,36 +17,50 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-inline std::size_t count_features(const Remeshing_mesh& mesh)
+// One half-edge of each, sorted.
+inline std::vector<Remeshing_mesh::Index> features_of(const Remeshing_mesh& mesh)
 {
-  std::size_t n = 0;
-  mesh.for_each_halfedge([&](Remeshing_mesh::Index h) { n += mesh.is_constrained(h) && mesh.names_edge(h); });
-  return n;
+  std::vector<Remeshing_mesh::Index> result;
+  mesh.for_each_halfedge([&](Remeshing_mesh::Index h) { if (mesh.is_constrained(h) && mesh.names_edge(h)) result.push_back(h); });
+  return result;
+}
+
+// What guides the iterations, and is released after them; not beside vertices that are held anyway, and must be so afterwards.
+inline void mark_crests(Remeshing_mesh& mesh, const std::vector<Remeshing_mesh::Index>& crests)
+{
+  constexpr unsigned HELD = Remeshing_mesh::LOCKED | Remeshing_mesh::PINCHED;
+  for (const Remeshing_mesh::Index h : crests) {
+    if (((mesh.marks(mesh.origin(h)) | mesh.marks(mesh.target(h))) & HELD) != 0) continue;
+    mark_feature(mesh, h);
+    mesh.add_flags(h, Remeshing_mesh::FOUND | Remeshing_mesh::PASSING);
+  }
 }
 
 CGAL_INTER_ANGLE_REMESHING_INLINE
 Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, double mean_length, bool keeps_surface,
-                                  const Recipe& recipe, const Constraint_settings& settings)
+                                  double crest_width, const Recipe& recipe, const Constraint_settings& settings)
 {
   using Features = Remeshing_report::Features;
-  Input_kind kind{false, false, false, false, Features::none, count_features(mesh), 0, {}};
+  Input_kind kind{false, false, false, Features::none, features_of(mesh).size(), 0, {}};
   if (kind.feature_edges > 0) kind.features = Features::marked;
   if (!keeps_surface || recipe.surface == Recipe::Surface::paper) return kind;
   Feature_detector detector(mesh, (std::max)(target.length, mean_length));
   kind.is_cad = detector.kind().is_cad();
-  kind.is_leaf = detector.kind().is_leaf();
   kind.is_faceted = kind.is_cad || detector.kind().has_jagged_chamfers() || detector.kind().has_voxel_stairs();
   kind.saddle_excess = detector.kind().saddle_excess();
   kind.searches_features = settings.finds_features;
-  if (!kind.searches_features) return kind;
   std::vector<double> lengths(mesh.number_of_face_slots());
   for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(lengths.size()); ++f)
     lengths[f] = target.length * target.sizing.part_of_face(mesh.face_record(f).source);
-  Found_features found = detector.features_for(std::move(lengths), recipe.fillet_width, recipe.relief_density);
-  for (const Remeshing_mesh::Index h : found.edges) mark_found_feature(mesh, h, settings);
-  kind.rounded_edges = std::move(found.rounded);
-  if (!found.edges.empty()) kind.features = kind.is_cad ? Features::all_sharp_edges : Features::outstanding_edges;
-  kind.feature_edges = count_features(mesh);
+  if (kind.searches_features) {
+    Found_features found = detector.features_for(lengths, recipe.fillet_width, recipe.relief_density);
+    for (const Remeshing_mesh::Index h : found.edges) mark_found_feature(mesh, h, settings);
+    kind.rounded_edges = std::move(found.rounded);
+    if (!found.edges.empty()) kind.features = kind.is_cad ? Features::all_sharp_edges : Features::outstanding_edges;
+  }
+  const std::vector<Remeshing_mesh::Index> features = features_of(mesh);
+  kind.feature_edges = features.size();
+  mark_crests(mesh, detector.crests(features, std::move(lengths), crest_width));
   return kind;
 }
 

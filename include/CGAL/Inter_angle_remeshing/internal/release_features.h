@@ -11,8 +11,8 @@
 
 #include <vector>
 
-// Where parts of an implicit surface or of a wrap meet, creases are jagged, and the rims of leaves are a tangle: corners of features lie so
-// close together that the faces between them are needles, whatever is done. On models that are no CAD models such features are given up.
+// Features that are given up. Where parts of an implicit surface or of a wrap meet, creases are jagged: corners of features lie so close
+// together that the faces between them are needles, whatever is done. And crests are no features: they guide the iterations alone.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -25,7 +25,8 @@ class Feature_release
 public:
   explicit Feature_release(Remeshing_context& context) : context_(context), mesh_(context.mesh) {}
 
-  void run()
+  // On models that are no CAD models.
+  void release_close_corners()
   {
     std::vector<Index> vertices;
     const Angle_band band(LEAST_ANGLE, 180);
@@ -37,6 +38,15 @@ public:
         if (is_close_corner(u)) vertices.push_back(u);
     }
     for (const Index v : vertices) release(v);
+  }
+
+  void release_crests()
+  {
+    std::vector<Index> crests;
+    mesh_.for_each_edge([&](Index h) { if (mesh_.has_flag(h, Remeshing_mesh::PASSING)) crests.push_back(h); });
+    for (const Index h : crests) release_edge(h);
+    for (const Index h : crests)
+      for (const Index v : {mesh_.origin(h), mesh_.target(h)}) settle(v);
   }
 
 private:
@@ -68,10 +78,15 @@ private:
     std::vector<Index> features;
     for_each_curve_halfedge(mesh_, v, [&](Index h) { features.push_back(h); });
     for (const Index h : features) {
-      mesh_.remove_flags(h, Remeshing_mesh::CONSTRAINED | Remeshing_mesh::FOUND | Remeshing_mesh::ON_CURVE);
+      release_edge(h);
       settle(mesh_.target(h));
     }
     settle(v);
+  }
+
+  void release_edge(Index h)
+  {
+    mesh_.remove_flags(h, Remeshing_mesh::CONSTRAINED | Remeshing_mesh::FOUND | Remeshing_mesh::PASSING | Remeshing_mesh::ON_CURVE);
   }
 
   // A vertex that has lost features is the end of the others, or free.

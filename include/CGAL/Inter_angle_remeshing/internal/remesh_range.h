@@ -93,6 +93,15 @@ bool may_merge_curve_vertices(const Parameters& parameters, const Input_kind& ki
          std::is_same<std::decay_t<decltype(parameters.face_patch_map)>, No_map>::value;
 }
 
+// How wide crests may be, in target lengths, that guide the iterations; 0: none do. Where a policy has a say in what is split and collapsed,
+// or curves may not be collapsed, nobody knows what would become of one.
+template <class Parameters>
+double crest_width(const Parameters& parameters, double target)
+{
+  const bool may_guide = parameters.may_subdivide && parameters.may_collapse_constraints && parameters.does_project && target > 0;
+  return may_guide ? parameters.recipe.crest_width : 0.;
+}
+
 // That of the parameters; where it was left to the recipe, the one for CAD models, on which curves with many vertices hold needles.
 template <class Parameters>
 auto split_policy(const Parameters& parameters, const Input_kind& kind)
@@ -109,10 +118,10 @@ auto split_policy(const Parameters& parameters, const Input_kind& kind)
 template <class Parameters>
 double release_distance(const Parameters& parameters, const Input_kind& kind)
 {
-  constexpr double OF_JAGGED_CREASES = 0.3, OF_TANGLES = 1;
+  constexpr double OF_JAGGED_CREASES = 0.3;
   const bool may_release = kind.searches_features && !kind.is_cad &&
                            std::is_same<std::decay_t<decltype(parameters.vertex_is_constrained_map)>, No_map>::value;
-  return !may_release ? 0. : kind.is_leaf ? OF_TANGLES : OF_JAGGED_CREASES;
+  return may_release ? OF_JAGGED_CREASES : 0.;
 }
 
 // Whether curves hold details that the target length must fall to. One much under the length of the input's edges finds none.
@@ -167,8 +176,8 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   mark_constraints(exchange, tmesh, parameters.edge_is_constrained_map, parameters.vertex_is_constrained_map,
                    parameters.face_patch_map, parameters.constraint_settings);
   const double mean_length = total_length / (1.5 * double(exchange.input_faces().size()));
-  const Input_kind kind = find_and_mark_features(exchange.mesh(), wanted, mean_length, keeps_surface<Parameters>(), parameters.recipe,
-                                                 parameters.constraint_settings);
+  const Input_kind kind = find_and_mark_features(exchange.mesh(), wanted, mean_length, keeps_surface<Parameters>(),
+                                                 crest_width(parameters, target), parameters.recipe, parameters.constraint_settings);
   const auto patches = read_patches(parameters.face_patch_map, exchange.input_faces());
   Remeshing_mesh mesh = exchange.take_mesh();
   settle_corners(mesh, kind, wanted, may_merge_curve_vertices(parameters, kind) ? parameters.recipe.merging_distance : 0.);

@@ -20,11 +20,14 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// Designed curves are not jagged; where the fillets of a part are joined across a corner, they are.
+// Designed curves are not jagged; where the fillets of a part are joined across a corner, they are. Crests are as jagged as the input's edges.
 inline std::vector<double> scales_of_corners(const Remeshing_mesh& mesh, const Input_kind& kind, double target)
 {
+  constexpr double CREST_SCALE = 2;
   std::vector<double> scales(mesh.number_of_vertex_slots(), kind.is_cad ? 0. : target);
   for (const Remeshing_mesh::Index h : kind.rounded_edges.edges) scales[mesh.origin(h)] = scales[mesh.target(h)] = target;
+  mesh.for_each_edge([&](Remeshing_mesh::Index h) {
+    if (mesh.has_flag(h, Remeshing_mesh::PASSING)) scales[mesh.origin(h)] = scales[mesh.target(h)] = CREST_SCALE * target; });
   return scales;
 }
 
