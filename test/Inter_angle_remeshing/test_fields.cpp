@@ -16,6 +16,8 @@
 #  include <CGAL/Polygon_mesh_processing/Uniform_sizing_field.h>
 #endif
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+
 #include "check.h"
 #include "invariants.h"
 #include "meshes.h"
@@ -28,6 +30,7 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -35,6 +38,7 @@
 
 namespace IAR = CGAL::Inter_angle_remeshing;
 namespace PMP = CGAL::Polygon_mesh_processing;
+using meshes::Soup;
 namespace parameters = CGAL::parameters;
 using namespace invariants;
 
@@ -636,6 +640,79 @@ void attributes_stay_in_their_patches(const std::string& name)
 // --- attributes of corners ---------------------------------------------------------------------------------------
 
 // Checks that the attribute of corners has seams at the marked edges, and nowhere else.
+// Vertices, corners and faces have the number of their part, whose borders or sheets lie on each other or close together.
+void attributes_stay_in_their_parts(const std::vector<Soup>& parts, double length)
+{
+  Soup soup;
+  std::vector<std::size_t> first_face;
+  for(const Soup& part : parts)
+  {
+    const std::size_t offset = soup.points.size();
+    first_face.push_back(soup.faces.size());
+    soup.points.insert(soup.points.end(), part.points.begin(), part.points.end());
+    for(auto face : part.faces)
+    {
+      for(std::size_t& v : face)
+        v += offset;
+      soup.faces.push_back(face);
+    }
+  }
+  const Mesh input = meshes::to_mesh<Mesh>(soup);
+  const auto run = [&](const auto& np)
+  {
+    Mesh m = input;
+    const auto of_vertex = m.add_property_map<Vertex, double>("v:part", -1).first;
+    const auto of_corner = m.add_property_map<Mesh::Halfedge_index, double>("h:part", -1).first;
+    const auto of_face = m.add_property_map<Face, int>("f:part", -1).first;
+    for(const Face f : m.faces())
+    {
+      of_face[f] = int(std::upper_bound(first_face.begin(), first_face.end(), std::size_t(f)) - first_face.begin());
+      for(const auto h : halfedges_around_face(m.halfedge(f), m))
+        of_vertex[m.target(h)] = of_corner[h] = of_face[f];
+    }
+    IAR::Attribute_transfer<Mesh> transfer;
+    transfer.add_vertex_map(of_vertex);
+    transfer.add_corner_map(of_corner);
+    transfer.add_face_map(of_face);
+    IAR::isotropic_remeshing(length, m, np.visitor(std::ref(transfer)));
+    m.collect_garbage();
+    const auto component = m.add_property_map<Face, std::size_t>("f:component", 0).first;
+    CHECK(PMP::connected_components(m, component) == parts.size());
+    std::map<std::size_t, std::set<double>> values;
+    for(const Face f : m.faces())
+    {
+      values[component[f]].insert(of_face[f]);
+      for(const auto h : halfedges_around_face(m.halfedge(f), m))
+        values[component[f]].insert({of_vertex[m.target(h)], of_corner[h]});
+    }
+    for(const auto& [c, of_component] : values)
+      CHECK_MESSAGE(*of_component.rbegin() - *of_component.begin() < 1e-9, c << ": " << *of_component.begin() << " to " << *of_component.rbegin());
+  };
+  run(parameters::do_project(true));
+  run(parameters::do_project(false));
+  run(parameters::projection_functor([](const Point& p) { return p; }));
+  const IAR::Closest_point_projector<Mesh> first(meshes::to_mesh<Mesh>(parts[0]));
+  run(parameters::projection_functor(std::cref(first)));
+}
+
+void attributes_stay_in_their_parts()
+{
+  const auto moved = [](Soup soup, double x, double scale)
+  {
+    for(auto& p : soup.points)
+      p = {x + scale * p[0], scale * p[1], scale * p[2]};
+    return soup;
+  };
+  Soup inner = meshes::sphere(3);
+  for(auto& p : inner.points)
+    for(double& x : p)
+      x *= .98;
+  for(auto& face : inner.faces)
+    std::swap(face[0], face[1]);
+  attributes_stay_in_their_parts({meshes::square(10), moved(meshes::square(14), 1, 1)}, .06);
+  attributes_stay_in_their_parts({meshes::sphere(3), inner}, .3);
+}
+
 template <class Marks>
 void seams_are_the_marked_edges(const Mesh& m, const IAR::Attribute_transfer<Mesh>& transfer, const Marks& is_marked)
 {
@@ -867,6 +944,7 @@ int main()
   attributes_with_every_projector();
   for(const char* name : {"mushroom", "couplingdown", "elephant"})
     attributes_stay_in_their_patches(name);
+  attributes_stay_in_their_parts();
   texture_coordinates_keep_their_seams();
   corners_outside_the_range_are_kept();
   a_seam_may_end_inside();

@@ -28,7 +28,8 @@ struct Input_place
 };
 
 // Walks from where the projector left a vertex, if the projector's faces are those of the input; else it has to search. A face stays in
-// the patch of the one that it descends from.
+// the patch of the one that it descends from, and a vertex in those of the faces around it: another one may be as near, at a border that
+// touches another, or where sheets lie close together.
 class Input_locator
 {
   using Index = Remeshing_mesh::Index;
@@ -43,20 +44,25 @@ public:
     if (projection.face_of_source == nullptr) {
       copy_ = std::make_unique<Reference_surface>(mesh);
       surface_ = copy_.get();
-      note_patches();
-      return;
+      face_in_copy_.resize(copy_->number_of_faces());
+      for (Index f = 0; f < Index(face_in_copy_.size()); ++f) face_in_copy_[copy_->face_record(f).source] = f;
+      face_of_source_ = &face_in_copy_;
+    } else {
+      surface_ = projection.surface;
+      factor_ = projection.factor;
+      face_of_source_ = projection.face_of_source;
     }
-    surface_ = projection.surface;
-    factor_ = projection.factor;
-    face_of_source_ = projection.face_of_source;
+    note_patches();
   }
 
   Input_place place_of_vertex(const Remeshing_mesh& mesh, Index v) const
   {
-    if (copy_ == nullptr) return place_by_walk(mesh.position(v), mesh.hint(v));
-    Index f = 0;
-    copy_->locate(mesh.position(v), f);
-    return place_on_face(mesh.position(v), f);
+    const Vector3& p = mesh.position(v);
+    Index f = copy_ == nullptr ? mesh.hint(v) : 0;
+    if (copy_ != nullptr) copy_->locate(p, f);
+    const bool is_in_other_patch = mesh.all_around(v, [&](Index h) { return patch_[f] != patch_[face_of_origin(mesh, mesh.face(h))]; });
+    if (is_in_other_patch) f = face_of_origin(mesh, mesh.face(mesh.first(v)));
+    return is_in_other_patch || copy_ == nullptr ? place_by_walk(p, f) : place_on_face(p, f);
   }
   // Of the centroid of face f, in the patch of the face that it descends from.
   Input_place place_of_face(const Remeshing_mesh& mesh, Index f) const
@@ -84,10 +90,13 @@ private:
     return centroid;
   }
 
+  // The face of the surface that face f descends from.
+  Index face_of_origin(const Remeshing_mesh& mesh, Index f) const { return (*face_of_source_)[mesh.face_record(f).source]; }
+
   // The face of the surface that is nearest to the centroid of face f, in the patch of the one that f descends from.
   Index face_at_centroid(const Remeshing_mesh& mesh, Index f, const Vector3& centroid) const
   {
-    const Index start = (*face_of_source_)[mesh.face_record(f).source];
+    const Index start = face_of_origin(mesh, f);
     Index nearest = start;
     if (copy_ != nullptr) {
       copy_->locate(centroid, nearest);
@@ -98,16 +107,13 @@ private:
     return nearest;
   }
 
-  // Which faces of the copy hang together without a barrier in between, and where the faces of the input are in it.
+  // Which faces of the surface hang together without a barrier in between; crests are none for what the result is to carry.
   void note_patches()
   {
-    const Index n = Index(copy_->number_of_faces());
+    const Index n = Index(surface_->number_of_faces());
     patch_.assign(std::size_t(n), -1);
-    face_in_copy_.resize(std::size_t(n));
-    face_of_source_ = &face_in_copy_;
     std::vector<Index> queue;
     for (Index first = 0; first < n; ++first) {
-      face_in_copy_[copy_->face_record(first).source] = first;
       if (patch_[first] >= 0) continue;
       patch_[first] = first;
       queue.assign(1, first);
@@ -115,8 +121,9 @@ private:
         const Index f = queue.back();
         queue.pop_back();
         for (Index h = 4 * f; h < 4 * f + 3; ++h) {
-          const Index o = copy_->opposite(h);
-          if (o < 0 || is_barrier(*copy_, h) || patch_[o >> 2] >= 0) continue;
+          const Index o = surface_->opposite(h);
+          const bool is_crest = (surface_->face_record(f).edge_flags & (Remeshing_mesh::PASSING << (h & 3))) != 0;
+          if (o < 0 || (is_barrier(*surface_, h) && !is_crest) || patch_[o >> 2] >= 0) continue;
           patch_[o >> 2] = first;
           queue.push_back(o >> 2);
         }
@@ -144,7 +151,7 @@ private:
   double factor_ = 1;                                   // from the mesh's units to the surface's
   const std::vector<Index>* face_of_source_ = nullptr;  // the projector's, or that of the copy
   std::unique_ptr<const Reference_surface> copy_;       // of the input, where the projector knows another surface, or none
-  std::vector<Index> face_in_copy_, patch_;             // by face of the input; by face of the copy
+  std::vector<Index> face_in_copy_, patch_;             // by face of the input; by face of the surface
 };
 
 } // namespace internal
