@@ -254,10 +254,12 @@ void recipes_out_of_range_are_refused()
   narrow.collapse_ratio = .9;
   check_refused("collapse_ratio", [&](Mesh& g) { IAR::isotropic_remeshing(.4, g, IAR::recipe(narrow)); });
   check_range_of("glide_depth", &Recipe::glide_depth, {17u, 1000000u}, {16u, 0u});
+  check_range_of("Recipe::fits", &Recipe::fits, {101u, 4294967295u}, {0u, 100u});
   check_range_of("collapse_tolerance", &Recipe::collapse_tolerance, {-.1, NOT_A_NUMBER}, {0.});
   check_range_of("grading", &Recipe::grading, {-.1, NOT_A_NUMBER}, {0.});
   check_range_of("fit_tangential_weight", &Recipe::fit_tangential_weight, {0., -.1, 1.01, NOT_A_NUMBER, INFINITE}, {1e-9, 1.});
   check_range_of("fillet_width", &Recipe::fillet_width, {-.01, 1.01, NOT_A_NUMBER}, {0., 1.});
+  check_range_of("crest_width", &Recipe::crest_width, {-.01, 2.01, NOT_A_NUMBER}, {0., 2.});
   check_range_of("relief_density", &Recipe::relief_density, {-1., NOT_A_NUMBER}, {0., 1., INFINITE});
   check_range_of("merging_distance", &Recipe::merging_distance, {-.01, .11, NOT_A_NUMBER}, {0., .1});
   check_range_of("distance_tolerance", &Recipe::distance_tolerance, {-.1, NOT_A_NUMBER}, {0.});

@@ -156,9 +156,8 @@ private:
   {
     if (edges.empty() || std::isinf(density) || !(*std::min_element(lengths.begin(), lengths.end()) > 0)) return;
     std::vector<double> densities(edges.size(), 0);
-    for (int scale = 0; scale < RELIEF_SCALES; ++scale) {
-      const std::vector<double> found = Fine_relief(mesh_, normals_.all(), lengths).densities(edges);
-      for (std::size_t i = 0; i < edges.size(); ++i) densities[i] = (std::max)(densities[i], found[i]);
+    for (int scale = 0; scale < RELIEF_SCALES && !(*std::min_element(densities.begin(), densities.end()) > density); ++scale) {
+      Fine_relief(mesh_, normals_.all(), lengths).raise(densities, edges, density);
       for (double& l : lengths) l *= RELIEF_RATIO;
     }
     if (!(*std::max_element(densities.begin(), densities.end()) > density)) return;

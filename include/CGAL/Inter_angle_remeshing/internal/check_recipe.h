@@ -18,6 +18,9 @@ namespace internal {
 // Vertices that are farther apart, in target lengths, are details.
 constexpr double LARGEST_MERGING_DISTANCE = 0.1;
 
+// No fit gains from a tenth of these.
+constexpr unsigned MOST_FITS = 100;
+
 inline void check_recipe(const Recipe& recipe)
 {
   if (!(recipe.split_ratio > 1 && recipe.split_ratio <= 2))
@@ -31,6 +34,8 @@ inline void check_recipe(const Recipe& recipe)
   if (recipe.glide_depth > MAXIMUM_GLIDE_DEPTH)
     refuse(REMESHING, "Recipe::glide_depth is " + std::to_string(recipe.glide_depth) + "; at most " +
                       std::to_string(MAXIMUM_GLIDE_DEPTH) + " is possible");
+  if (recipe.fits > MOST_FITS)
+    refuse(REMESHING, "Recipe::fits is " + std::to_string(recipe.fits) + "; at most " + std::to_string(MOST_FITS) + " are possible");
   if (!(recipe.lower_angle >= 0 && recipe.lower_angle < 60 && recipe.upper_angle > 60 && recipe.upper_angle <= 180))
     refuse(REMESHING, "Recipe::lower_angle is " + to_text(recipe.lower_angle) + " and Recipe::upper_angle " +
                       to_text(recipe.upper_angle) + "; they must lie in [0, 60) and in (60, 180]");

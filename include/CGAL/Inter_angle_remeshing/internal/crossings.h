@@ -64,17 +64,19 @@ bool lies_beside(const Surface& mesh, Corner_table::Index f, Corner_table::Index
   return above == 0 || under == 0;
 }
 
-// Whether a plane across the way from the centre of g to that of f parts them for sure: the one through the vertex that they share, or
-// else the one half way. Faces in one plane, beside which none lies, are told apart like that.
+// Whether a plane parts f and g for sure: across the way from the centre of g to that of f, half way, or, through a vertex that they share,
+// between the ways from there to the centres. Faces in one plane, beside which none lies, are told apart like that, those of a fan, too.
 template <class Surface>
 bool lie_apart(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
 {
   const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
   const auto centre = [&](const Corner_table::Index* v) {
     return (1. / 3) * (mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2])); };
-  const Vector3 from = centre(b), to = centre(a), across = to - from;
+  const Vector3 from = centre(b), to = centre(a);
   const Corner_table::Index* shared = std::find_first_of(a, a + 3, b, b + 3);
-  const Vector3 middle = shared != a + 3 ? mesh.position(*shared) : 0.5 * (from + to);
+  const bool share_vertex = shared != a + 3;
+  const Vector3 middle = share_vertex ? mesh.position(*shared) : 0.5 * (from + to);
+  const Vector3 across = share_vertex ? unit(to - middle) - unit(from - middle) : to - from;
   const auto is_beyond = [&](Corner_table::Index v, double side) {
     const Vector3 way = mesh.position(v) - middle;
     const double height = side * dot(way, across);

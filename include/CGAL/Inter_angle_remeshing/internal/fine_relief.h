@@ -36,18 +36,15 @@ public:
     is_uniform_ = *least == *most;
   }
 
-  // By edge, how densely ridges and grooves lie there: within a cube of two target lengths, the lesser of the lengths of both, in
-  // target lengths; 0 where they are high.
-  std::vector<double> densities(const std::vector<Index>& edges)
+  // Raises, by edge, how densely ridges and grooves lie there: within a cube of two target lengths, the lesser of the lengths of both, in
+  // target lengths; 0 where they are high. What exceeds `enough` already is not looked at.
+  void raise(std::vector<double>& densities, const std::vector<Index>& edges, double enough)
   {
     for (const Index h : edges)
       if (is_between_narrow_faces(h)) add(h);
     if (!cells_.empty()) add_small_faces();
-    for (auto& [key, cell] : cells_) cell.density = density_around(key);
-    std::vector<double> result(edges.size(), 0);
     for (std::size_t i = 0; i < edges.size(); ++i)
-      if (is_between_narrow_faces(edges[i])) result[i] = density(edges[i]);
-    return result;
+      if (!(densities[i] > enough) && is_between_narrow_faces(edges[i])) densities[i] = (std::max)(densities[i], density(edges[i]));
   }
 
 private:
@@ -82,12 +79,13 @@ private:
     void add(double l, const Vector3& m) { length += l; moment += m; }
     Vector3 centre() const { return (1 / length) * moment; }
   };
+  static constexpr double UNKNOWN = -1;
   struct Cell
   {
     Pieces ridges, grooves;
     Vector3 normal;                      // of small faces, and of large ones beside the pieces, by area
     double area = 0;
-    double density = 0;                  // of the cells around it and it, in target lengths
+    double density = UNKNOWN;            // of the cells around it and it, in target lengths
 
     void add(const Cell& other)
     {
@@ -189,13 +187,16 @@ private:
   }
 
   // The mean over the edge.
-  double density(Index h) const
+  double density(Index h)
   {
     const int level = level_of(target_length(h));
     double sum = 0, all = 0;
     for_each_piece(h, level, [&](const Vector3& p, double l) {
       all += l;
-      sum += l * cells_.at(key(p, level)).density;
+      const Key k = key(p, level);
+      double& density = cells_.at(k).density;
+      if (density == UNKNOWN) density = density_around(k);
+      sum += l * density;
     });
     return sum / all;
   }
