@@ -4,7 +4,8 @@
 //
 // Organic models made as flat as leaves, and swept blades with sharp edges: by default, without features, and by PMP, which has the edges
 // of 40 degrees and more of the blades marked. Then models with length 0, where nothing is split or collapsed. Per target length, in
-// mean edge lengths, sums and means as tables in Markdown.
+// mean edge lengths, sums and means as tables in Markdown. Last, bodies with round rims: by default, without crests, and by PMP, with the
+// same edges marked; target lengths in units.
 //
 //   thin_bodies
 
@@ -18,6 +19,7 @@
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/number_type_config.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -66,6 +68,58 @@ Mesh blade(double half_angle, double sweep)
   return meshes::to_mesh<Mesh>(soup);
 }
 
+// A lens of radius 1, or a ring from `inner` to 1 if that is positive: round rims of this radius, between which it is thicker by the bulge
+// on both sides.
+Mesh lens(double inner, double rim, double bulge)
+{
+  constexpr int STEPS = 30, RIM_STEPS = 16;
+  meshes::Profile bottom;
+  for (int i = 1; i < STEPS; ++i) {
+    const double t = double(i) / STEPS;
+    bottom.push_back({inner + t * (1 - inner), -rim - bulge * (inner > 0 ? 4 * t * (1 - t) : 1 - t * t)});
+  }
+  meshes::Profile top(bottom.rbegin(), bottom.rend());
+  for (auto& [r, z] : top) z = -z;
+  meshes::Profile profile = meshes::joined(meshes::joined(bottom, meshes::arc(1, 0, rim, -.5, .5, RIM_STEPS)), top);
+  if (inner > 0) profile = meshes::joined(profile, meshes::arc(inner, 0, rim, .5, 1.5, RIM_STEPS));
+  return meshes::to_mesh<Mesh>(meshes::turned(profile, 240, inner > 0));
+}
+
+// Of a symmetric NACA profile of chord 1, which closes in a sharp trailing edge: half of the thickness at x.
+double half_thickness(double thickness, double x)
+{
+  return 5 * thickness * (.2969 * std::sqrt(x) + x * (-.126 + x * (-.3516 + x * (.2843 - .1036 * x))));
+}
+
+// Capped at its tips, with chords in cosine steps.
+Mesh wing(double thickness)
+{
+  constexpr std::size_t CHORDS = 100, ROWS = 2 * CHORDS, SECTIONS = 160;
+  constexpr double SPAN = 4;
+  meshes::Soup soup;
+  for (std::size_t i = 0; i <= SECTIONS; ++i)
+    for (std::size_t j = 0; j < ROWS; ++j) {     // from the trailing edge over the upper side, and back below
+      const double x = .5 + .5 * std::cos(CGAL_PI * double((std::min)(j, ROWS - j)) / CHORDS), z = half_thickness(thickness, x);
+      soup.points.push_back({x, SPAN * double(i) / SECTIONS, j < CHORDS ? z : -z});
+    }
+  for (std::size_t i = 0; i < SECTIONS; ++i)
+    for (std::size_t j = 0; j < ROWS; ++j) {
+      const std::size_t a = i * ROWS + j, b = i * ROWS + (j + 1) % ROWS;
+      soup.faces.push_back({a, a + ROWS, b + ROWS});
+      soup.faces.push_back({a, b + ROWS, b});
+    }
+  const std::size_t last = SECTIONS * ROWS;
+  const auto add_to_caps = [&](std::size_t a, std::size_t b, std::size_t c) {
+    soup.faces.push_back({a, b, c});
+    soup.faces.push_back({last + a, last + c, last + b});
+  };
+  for (std::size_t j = 0; j < CHORDS; ++j) {
+    if (j + 1 < CHORDS) add_to_caps(j, j + 1, ROWS - j - 1);
+    if (j > 0) add_to_caps(j, ROWS - j - 1, ROWS - j);
+  }
+  return meshes::to_mesh<Mesh>(soup);
+}
+
 void remesh_by_pmp(Mesh& mesh, double length, bool marks_edges)
 {
   const auto is_sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
@@ -85,6 +139,22 @@ void print_table(const std::vector<Mesh>& bodies, bool marks_edges)
       peer.add(body, body, length, [&](Mesh& m) { remesh_by_pmp(m, length, marks_edges); });
     }
     for (const Result_row* row : {&ours, &smooth, &peer}) row->print(factor, peer);
+  }
+}
+
+void print_round_rims(const std::vector<Mesh>& bodies)
+{
+  IAR::Recipe no_crests;
+  no_crests.crest_width = 0;
+  Result_row::print_head("length");
+  for (const double length : {.08, .16}) {
+    Result_row ours{"ours"}, cut_off{"no crests"}, peer{"PMP"};
+    for (const Mesh& body : bodies) {
+      ours.add(body, body, length, [&](Mesh& m) { IAR::isotropic_remeshing(length, m); });
+      cut_off.add(body, body, length, [&](Mesh& m) { IAR::isotropic_remeshing(length, m, IAR::recipe(no_crests)); });
+      peer.add(body, body, length, [&](Mesh& m) { remesh_by_pmp(m, length, true); });
+    }
+    for (const Result_row* row : {&ours, &cut_off, &peer}) row->print(length, peer);
   }
 }
 
@@ -112,4 +182,5 @@ int main()
   print_table(leaves, false);
   print_table(blades, true);
   print_without_length({"elephant", "bear_bis", "knot1", "lion-head", "camel", "fandisk", "homer", "retinal"});
+  print_round_rims({lens(0, .02, 0), lens(0, .02, .1), lens(0, .03, .25), lens(.4, .02, .06), lens(.6, .01, .03), wing(.12), wing(.06)});
 }

@@ -54,7 +54,7 @@ struct Remeshing_report
   /// why an angle of a face is out of the band of `Recipe::lower_angle` and `Recipe::upper_angle`
   enum class Reason
   {
-    input_corner,     ///< every angle that is is a small one between two edges of borders or features: they are the input's
+    input_corner,     ///< its angles out of the band are all too small, and lie between two border or feature edges: they are the input's
     border_or_feature,///< the face touches a border or a feature, which leave it no room
     no_operation      ///< no move, flip, collapse or split near it that policies and geometry allow mends it
   };

@@ -49,9 +49,7 @@ the ends of more, and a fifth of the others bend by more than 45 degrees. But un
 vertices of these edges, fifty at least, two or more convex ones meet two or more concave ones: noise makes such saddles everywhere.
 What has grown and is as flat as a leaf is none, either: of the vertices of edges of 40 degrees and more, a hundred at least, more than
 .5% are free ends, more than 10% are free ends or junctions, and over more than 15% of the length of these edges the surface turns by 120
-degrees and more. Of these edges, which are a tangle along its rim, those are features then that are left in chains of four lengths for
-each free end and components of eight; of two chains side by side the sharper one. `isotropic_remeshing()` gives up those that end at
-corners nearer to each other than its length, where a face beside them has an angle of less than 20 degrees.
+degrees and more.
 On a CAD model every edge of 40 degrees and more is a feature. But where two chains of them are the sides of a strip, one face
 across and narrower than a twentieth of the length, over which the surface turns by less than 120 degrees, as at a small bevel, only
 the sharper one is. A face that is ten times as long as high, with a dihedral angle of 150 degrees and more at one of its edges, is
@@ -98,6 +96,9 @@ also where the surface turns back, as around the rim of a plate. Chains are as l
 where they end beside others, as in the round corner of a box, they are joined, and with another free end they have four times the
 length. So it is on CAD models, and on others where three quarters of the area are parts of planar polygons, and all features
 form a network.
+
+Crests, over which the surface of a thin body turns back, as over the rim of a lens, are no features: they guide the iterations of
+`isotropic_remeshing()` (`Recipe::crest_width`), and are released before the end.
 
 With a `scale`, what is too fine for edges of that length is none: of the edges of 40 degrees and more of a CAD model, those of a
 relief, as the stairs of voxels, threads, knurls, or the layers of a printed part. There, both faces are less than `scale` high over

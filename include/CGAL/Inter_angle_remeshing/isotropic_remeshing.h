@@ -53,12 +53,11 @@ number of faces of the range and of the result, per iteration.
 
 @param faces the range of triangular faces to be remeshed
 @param length the target edge length in the units of the mesh, or `Face_count(n)` for a wanted number of faces in the
-       range. With length 0 edges are flipped and vertices moved, and nothing is split or collapsed: a target length that steps and
-       tolerances are multiples of is the mean edge length of the range then, and policies are told none. `Recipe::clean_up` off
-       leaves flips and relaxation alone, in a tenth to a half of the time. Of a sizing field the member
-       `at(vertex, mesh)` is called for each vertex of the range, and nothing else; in between it is interpolated. A
-       functor is called at the vertices as they are at the time, concurrently with `Parallel_tag`. Both may be handed over by
-       `std::cref`.
+       range. With length 0 edges are flipped and vertices moved, and nothing is split or collapsed. Steps and tolerances then scale
+       with the mean edge length of the range; policies see no target length. `Recipe::clean_up` off leaves flips and relaxation
+       alone, in a tenth to a half of the time. Of a sizing field the member `at(vertex, mesh)` is called for each vertex of the
+       range, and nothing else; in between it is interpolated. A functor is called at the vertices as they are at the time,
+       concurrently with `Parallel_tag`. Both may be handed over by `std::cref`.
 @param tmesh the mesh
 @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below; a `Recipe` is
        put at the head of it by `recipe()`
@@ -103,10 +102,10 @@ number of faces of the range and of the result, per iteration.
                           call and restored in the end: it may read nothing else. `Closest_point_projector` and
                           `MLS_projector` run from warm starts. Hand functors with a state over by `std::ref`.}
     \cgalParamType{a model of `RemeshingProjector`}
-    \cgalParamDefault{onto the closest point of the range as it was where its faces have sizes of up to two target lengths or
-                      where hardly any has more, and on CAD models, onto the surface of `MLS_projector` from three on,
-                      smooth in between. The size of a face is its mean edge length, but at most 1.7 times its
-                      altitude, or that of a neighbor}
+    \cgalParamDefault{onto the closest point of the range as it was: on CAD models, alpha wraps of parts and stairs of voxels, where
+                      faces have sizes of at most two target lengths, and everywhere if hardly any has more. Where they have
+                      three and more, onto the surface of `MLS_projector`; between, onto a smooth blend of both. The size of
+                      a face is its mean edge length, but at most 1.7 times its altitude, or that of a higher neighbor}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{edges that are never flipped. They may be split and collapsed, and their ends slide along the
@@ -116,9 +115,9 @@ number of faces of the range and of the result, per iteration.
     \cgalParamType{a class model of `ReadWritePropertyMap` (or `ReadablePropertyMap`) with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
     \cgalParamDefault{the features that `detect_features()` finds, with the target length as `scale`, unless `sharpness_angle` is given,
-                      or the projection functor is one that knows no surface, or with `Recipe::paper()`. Where no CAD model is, two
-                      corners on them that are closer than 0.3 target lengths, beside a face with an angle of less than 20 degrees, are
-                      given up before the last iterations, unless `vertex_is_constrained_map` is given}
+                      or the projection functor is one that knows no surface, or with `Recipe::paper()`. If the input is not a CAD model,
+                      two corners on them that are closer than 0.3 target lengths, beside a face with an angle of less than 20 degrees,
+                      are given up before the last iterations, unless `vertex_is_constrained_map` is given}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{vertices that are kept and not moved, to the last bit}

@@ -58,7 +58,7 @@ public:
     return result;
   }
 
-  // Those that are shorter and have fewer edges.
+  // Drops components that are shorter than this and have fewer edges.
   void drop_short_components(double least_length, std::size_t least_edges = (std::numeric_limits<std::size_t>::max)())
   {
     for (const std::vector<Index>& component : components())

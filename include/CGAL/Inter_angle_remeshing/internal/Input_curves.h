@@ -63,7 +63,7 @@ private:
 
   std::vector<Curve> curves_;
   std::vector<Vector3> points_;
-  std::vector<double> arc_length_;   // by point, from the begin of its curve
+  std::vector<double> arc_length_;   // by point, from the start of its curve
   std::vector<std::size_t> guide_;   // a curve of n points is cut into n equal cells: the first point beyond where each begins
   std::vector<Index> halfedge_;      // by point: of the segment that ends there, a border side perhaps
   std::vector<Bend> bends_;          // by point: of that segment; empty: segments are straight

@@ -64,8 +64,8 @@ private:
   static constexpr unsigned FIRST_GLIDES = 2;
   // Once an iteration does no more than one operation for so many faces, only the last ones are left to do.
   static constexpr std::size_t SETTLED = 1000;
-  // Once it does no more than one operation for so many faces, and more than this part of the faces is out of the band, splits for
-  // this part of the length, or collapses for so many times the length where the mesh is too dense, stir it up.
+  // If an iteration does hardly anything while many faces are out of the band, the mesh is disturbed once: by splits for .9, or, if too
+  // dense, by collapses for 1.25 of the length. Hardly anything: one operation for so many faces; many: this part of the faces.
   static constexpr std::size_t HARDLY_MOVING = 100;
   static constexpr double SKEWED = 0.1, STIRRED_BY_SPLITS = 0.9, STIRRED_BY_COLLAPSES = 1.25;
   // A mesh of more than so many times the faces that its area asks for is coarsened in up to so many rounds, as long as each leaves

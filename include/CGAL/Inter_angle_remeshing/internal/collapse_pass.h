@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-// Collapses edges that are shorter than about 4/5 of the target length (Zheng and Lv, edge collapse), as half-edge collapses: one
-// end stays where it is, on the surface, and keeps its descriptor.
+// Collapses edges that are shorter than Recipe::collapse_ratio times the target length (Zheng and Lv, edge collapse), as half-edge
+// collapses: one end stays where it is, on the surface, and keeps its descriptor.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {

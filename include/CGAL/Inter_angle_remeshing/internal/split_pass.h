@@ -13,8 +13,8 @@
 #include <cmath>
 #include <vector>
 
-// Splits edges that are longer than about 4/3 of the target length at their midpoints (Zheng and Lv, edge splitting); those on
-// curves in the middle of their arcs, and also where they leave the curve.
+// Splits edges that are longer than Recipe::split_ratio times the target length at their midpoints (Zheng and Lv, edge splitting);
+// those on curves in the middle of their arcs, and also where they leave the curve.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
