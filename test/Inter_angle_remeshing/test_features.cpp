@@ -1914,8 +1914,50 @@ void crests_guide_on_thin_bodies()
   }
 }
 
-// What has grown and is as flat as a leaf has a rim that is a tangle of sharp edges: the features of a part would leave needles. Its rim
-// is a feature as far as faces are good.
+// A box, or a tetrahedron, beside something that has grown: all in all no CAD model. Its edges, a few among thousands, are kept all the
+// same, and its sides stay flat.
+void parts_keep_their_edges_beside_others()
+{
+  struct Case { const char *part, *other; std::size_t edges; };
+  std::vector<Case> cases = {{"tetrahedron", "elephant", 6}};
+  if(!meshes::is_small_run())
+    cases.insert(cases.end(), {{"cube", "bear", 12}, {"tetrahedron", "camel", 6}, {"open_cube", "bunny00", 8}, {"cube", "dino", 12}});
+  const auto of_size_one = [](Mesh m, double x)
+  {
+    const auto box = PMP::bbox(m);
+    const double size = (std::max)({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+    for(const Vertex v : m.vertices())
+    {
+      const Point p = m.point(v);
+      m.point(v) = Point(x + (p.x() - box.xmin()) / size, (p.y() - box.ymin()) / size, (p.z() - box.zmin()) / size);
+    }
+    return m;
+  };
+  for(const auto& [name, other, edges] : cases)
+  {
+    const Mesh part = of_size_one(models::of_cgal(name), 2), rest = of_size_one(models::of_cgal(other), 0);
+    for(const double length : {.03, .08})
+    {
+      Mesh m = rest;
+      m += part;
+      const auto alone = found_features(rest, length), together = found_features(m, length);
+      CHECK_MESSAGE(together.size() == alone.size() + edges, name << ", " << other << ": " << together.size());
+      const auto report = IAR::isotropic_remeshing(length, m);
+      CHECK_MESSAGE(report.feature_edges == together.size() && report.features == Features::outstanding_edges, report.feature_edges);
+      m.collect_garbage();
+      for(const Face f : std::vector<Face>(m.faces_begin(), m.faces_end()))
+        if(m.point(target(halfedge(f, m), m)).x() < 1.5)
+          CGAL::Euler::remove_face(halfedge(f, m), m);
+      m.collect_garbage();
+      CHECK(topology(m) == topology(part) && !does_self_intersect(m));
+      const double distance = IAR::surface_distance(part, m).hausdorff();
+      CHECK_MESSAGE(distance < 1e-6 * length, name << ", " << other << ": " << distance / length);
+    }
+  }
+}
+
+// What has grown and is as flat as a leaf has a rim that is a tangle of sharp edges: the features of a part would leave needles. Crests
+// guide there instead.
 void leaves_are_no_cad_models()
 {
   struct Case { const char* name; double height; };
@@ -2024,6 +2066,7 @@ int main()
   jagged_creases_leave_room_for_good_angles();
   leaves_are_no_cad_models();
   crests_guide_on_thin_bodies();
+  parts_keep_their_edges_beside_others();
   grading_mends_jagged_borders();
   dense_curves_leave_no_needles();
   round_rims_are_coarsened();

@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURE_DETECTION_IMPL_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Feature_detector.h>
+#include <CGAL/Inter_angle_remeshing/internal/cad_parts.h>
 #include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
 #include <CGAL/Inter_angle_remeshing/internal/feature_detection.h>
 
@@ -19,15 +20,21 @@ namespace internal {
 CGAL_INTER_ANGLE_REMESHING_INLINE
 std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh)
 {
-  return Feature_detector(mesh, mean_edge_length(mesh)).features();
+  const double length = mean_edge_length(mesh);
+  Feature_detector detector(mesh, length);
+  return features_with_parts(mesh, detector, length, std::vector<double>(mesh.number_of_face_slots(), length),
+                             [](Feature_detector& d, const std::vector<double>&) { return d.features(); });
 }
 
 CGAL_INTER_ANGLE_REMESHING_INLINE
 std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, double length, double fillet_width,
                                                  double relief_density)
 {
-  Feature_detector detector(mesh, (std::max)(length, mean_edge_length(mesh)));
-  return detector.features_for(std::vector<double>(mesh.number_of_face_slots(), length), fillet_width, relief_density).edges;
+  const double detail = (std::max)(length, mean_edge_length(mesh));
+  Feature_detector detector(mesh, detail);
+  return features_with_parts(mesh, detector, detail, std::vector<double>(mesh.number_of_face_slots(), length),
+                             [&](Feature_detector& d, const std::vector<double>& lengths) {
+    return d.features_for(lengths, fillet_width, relief_density).edges; });
 }
 
 } // namespace internal

@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_INPUT_KIND_IMPL_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Feature_detector.h>
+#include <CGAL/Inter_angle_remeshing/internal/cad_parts.h>
 #include <CGAL/Inter_angle_remeshing/internal/input_kind.h>
 
 #include <algorithm>
@@ -44,7 +45,8 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
   Input_kind kind{false, false, false, Features::none, features_of(mesh).size(), 0, {}};
   if (kind.feature_edges > 0) kind.features = Features::marked;
   if (!keeps_surface || recipe.surface == Recipe::Surface::paper) return kind;
-  Feature_detector detector(mesh, (std::max)(target.length, mean_length));
+  const double detail = (std::max)(target.length, mean_length);
+  Feature_detector detector(mesh, detail);
   kind.is_cad = detector.kind().is_cad();
   kind.is_faceted = kind.is_cad || detector.kind().has_jagged_chamfers() || detector.kind().has_voxel_stairs();
   kind.saddle_excess = detector.kind().saddle_excess();
@@ -53,10 +55,14 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
   for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(lengths.size()); ++f)
     lengths[f] = target.length * target.sizing.part_of_face(mesh.face_record(f).source);
   if (kind.searches_features) {
-    Found_features found = detector.features_for(lengths, recipe.fillet_width, recipe.relief_density);
-    for (const Remeshing_mesh::Index h : found.edges) mark_found_feature(mesh, h, settings);
-    kind.rounded_edges = std::move(found.rounded);
-    if (!found.edges.empty()) kind.features = kind.is_cad ? Features::all_sharp_edges : Features::outstanding_edges;
+    const auto find = [&](Feature_detector& of_part, const std::vector<double>& lengths_there) {
+      Found_features found = of_part.features_for(lengths_there, recipe.fillet_width, recipe.relief_density);
+      if (&of_part == &detector) kind.rounded_edges = std::move(found.rounded);
+      return found.edges;
+    };
+    const std::vector<Remeshing_mesh::Index> found = features_with_parts(mesh, detector, detail, lengths, find);
+    for (const Remeshing_mesh::Index h : found) mark_found_feature(mesh, h, settings);
+    if (!found.empty()) kind.features = kind.is_cad ? Features::all_sharp_edges : Features::outstanding_edges;
   }
   const std::vector<Remeshing_mesh::Index> features = features_of(mesh);
   kind.feature_edges = features.size();
