@@ -63,8 +63,8 @@ struct Nearest_value
 @brief a visitor that carries attributes of vertices, corners and faces over from the input to the result.
 
 A vertex of the result lies at a point of a face of the input, the one that the projector leaves it at; its attributes are
-interpolated from that face's corners. A face of the result takes the attributes of the face of the input at its centroid, in the
-same patch. Vertices that have not moved keep their values to the last bit.
+interpolated from that face's corners, in the patch of a face around it. A face of the result takes the attributes of the face of the
+input at its centroid, in the patch of the face that it descends from. Vertices that have not moved keep their values to the last bit.
 
 Attributes of corners are those that may have several values at a vertex, as texture coordinates have at a seam, or normals at a
 sharp edge: their maps have half-edges as keys, and h stands for the corner of its face at its target. A corner of the result is

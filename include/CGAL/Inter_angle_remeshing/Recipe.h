@@ -92,8 +92,8 @@ struct Recipe
   /// that no edge leads across and cuts the crest off. They are released before the clean-up: angles beside them are as good as
   /// elsewhere, and neither the report nor an edge map knows them. A body is thin where crests are at least 0.6 times as long as the root
   /// of the area of the range; those that are shorter than two target lengths for each end that leads nowhere do not count. 0: none
-  /// guide, at most 2. None does where the input is noisy, with length 0, where a policy is handed over or features may not be collapsed,
-  /// and with a projection functor that knows no surface.
+  /// guide, at most 2. None does where the input is noisy or stairs of voxels, with length 0, where a policy is handed over or features
+  /// may not be collapsed, without projection, and with a projection functor that knows no surface.
   double crest_width = 0.8;
   /// how densely ridges and grooves of CAD models may lie where features are found by themselves, see `detect_features()`: where a cube
   /// of two target lengths has more than so many target lengths of each, and they are low, they are a relief that no edges of the

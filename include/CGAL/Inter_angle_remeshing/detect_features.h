@@ -56,7 +56,9 @@ the sharper one is. A face that is ten times as long as high, with a dihedral an
 a sliver folded onto its neighbor: it counts as if it looked as the face at its longest edge does; unless it goes on, by less than 40
 degrees, to others, and all of them have more than a twentieth of the square of their longest edge as area, as beside a knife's edge.
 
-If not, it is an organic model or a noisy one. Around connected edges of 30 degrees and more that are 2.5 times as sharp as
+If not, it is an organic model or a noisy one. Each of its components, faces that hang together by edges, that is a CAD model by these
+rules on its own, and has an area of at least 24 squares of `scale`, or of the mean edge without one, has the features of one, all the same.
+For the rest, around connected edges of 30 degrees and more that are 2.5 times as sharp as
 the edges beside them, the face normals are filtered bilaterally, in five passes. An edge stands out if it then has 30
 degrees, and three times the median angle around it. Of the chains of such edges, those are features that form components of
 at least 12 edges and five lengths, and of 40 for each end that leads nowhere; half of their length must have 45 degrees and
