@@ -8,7 +8,8 @@
 #include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/Run_clock.h>
-#include <CGAL/Inter_angle_remeshing/internal/clean_up_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/angle_summary.h>
+#include <CGAL/Inter_angle_remeshing/internal/low_valence_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/curve_edges.h>
 #include <CGAL/Inter_angle_remeshing/internal/distance_pass.h>
@@ -29,7 +30,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iostream>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -69,7 +72,7 @@ public:
       return are_curves_settled || !has_surplus_curve_edge(context_, v); });
   }
 
-  // Returns the number of splits. The limits of the edge lengths are those of the recipe, or wider by a factor.
+  // Splits, collapses, and in the last iterations what the wanted number of faces takes. Returns the number of splits. The limits of the edge lengths are those of the recipe, or wider by a factor.
   std::size_t split_and_collapse(double widening = 1)
   {
     if (!goes_on()) return 0;
@@ -82,16 +85,21 @@ public:
     report_.splits += splits;
     if (!context_.collapse_rule.is_never())
       report_.collapses += run(Pass::collapse, [&]() { return collapse_pass<ConcurrencyTag>(context_, edges.too_short); });
+    if (clock_.is_late()) meet_face_count();
     return splits;
   }
 
-  void meet_face_count(std::size_t wanted_faces)
+  // On this level; 0: any.
+  std::size_t wanted_faces() const { return schedule_.wanted_faces >> (2 * clock_.levels_left()); }
+
+  void meet_face_count()
   {
-    const std::size_t faces = mesh_.number_of_live_faces();
-    if (faces > wanted_faces && !context_.collapse_rule.is_never())
-      report_.collapses += run(Pass::collapse, [&]() { return collapse_surplus(context_, wanted_faces); });
-    if (faces < wanted_faces && !context_.split_rule.is_never())
-      report_.splits += run(Pass::split, [&]() { return split_for_deficit<ConcurrencyTag>(context_, wanted_faces); });
+    const std::size_t faces = mesh_.number_of_live_faces(), wanted = wanted_faces();
+    if (wanted == 0) return;
+    if (faces > wanted && !context_.collapse_rule.is_never())
+      report_.collapses += run(Pass::collapse, [&]() { return collapse_surplus(context_, wanted); });
+    if (faces < wanted && !context_.split_rule.is_never())
+      report_.splits += run(Pass::split, [&]() { return split_for_deficit<ConcurrencyTag>(context_, wanted); });
   }
 
   // Flips, and glides perhaps, by turns.
@@ -137,7 +145,7 @@ public:
   void remove_low_valences()
   {
     if (!context_.collapse_rule.is_never())
-      report_.collapses += run(Pass::clean_up, [&]() { return clean_up_pass<ConcurrencyTag>(context_); });
+      report_.collapses += run(Pass::clean_up, [&]() { return low_valence_pass<ConcurrencyTag>(context_); });
   }
 
   void fit()
@@ -185,6 +193,16 @@ public:
   void pull_back()
   {
     relaxation_.run<ConcurrencyTag>(mesh_, context_.projector, 0, Pull_back::after_last_sweep, curve_tolerance());
+  }
+
+  void print_state(const std::string& name) const
+  {
+    if (!schedule_.is_verbose) return;
+    const Remeshing_report::Angles angles = angle_summary<ConcurrencyTag>(mesh_);
+    std::cout << name << ": " << mesh_.number_of_live_faces() << " faces, angles "
+              << angles.minimum << " to " << angles.maximum << ", average " << angles.average << "; so far "
+              << report_.splits << " splits, " << report_.collapses << " collapses, " << report_.flips << " flips, "
+              << report_.glides << " glides\n";
   }
 
   // Tells the callback, if it does not know it yet, that nothing is left to do.

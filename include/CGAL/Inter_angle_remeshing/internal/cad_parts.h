@@ -111,8 +111,8 @@ private:
   std::vector<Index> face_in_part_, vertex_in_part_;     // by face, by vertex: its number in its component; -1: not looked at yet
 };
 
-// What `find(detector, lengths)` finds in the mesh of the detector, and, where that is no CAD model, in its components that are: one half-edge
-// of each edge, sorted.
+// What `find(detector, lengths)` finds in the mesh of the detector, and, where that is no CAD model, in its components that are: one
+// half-edge of each edge, sorted.
 template <class Find>
 std::vector<Remeshing_mesh::Index> features_with_parts(const Remeshing_mesh& mesh, Feature_detector& detector, double length,
                                                        const std::vector<double>& lengths, const Find& find)

@@ -125,8 +125,9 @@ inline bool keeps_faces_at_curves(const Remeshing_mesh& mesh, Remeshing_mesh::In
   double before = 1, after = 1;
   // Whether the edge between b and u is on a curve, once b has taken the edges of a over.
   const auto will_be_on_curve = [&](Index u, bool is_on_curve_from_a) {
-    const Index existing = mesh.find_halfedge(b, u), reverse = existing < 0 && mesh.is_border_vertex(b) ? mesh.find_halfedge(u, b) : existing;
-    return is_on_curve_from_a || (reverse >= 0 && mesh.is_on_curve_edge(reverse));
+    Index existing = mesh.find_halfedge(b, u);
+    if (existing < 0 && mesh.is_border_vertex(b)) existing = mesh.find_halfedge(u, b);
+    return is_on_curve_from_a || (existing >= 0 && mesh.is_on_curve_edge(existing));
   };
   const bool keeps_corners = mesh.all_around(a, [&](Index k) {
     const Index c = mesh.target(k), d = mesh.apex(k);

@@ -6,7 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FACE_COUNT_PASS_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
-#include <CGAL/Inter_angle_remeshing/internal/clean_up_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/low_valence_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
 

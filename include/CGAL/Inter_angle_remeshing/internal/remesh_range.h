@@ -93,8 +93,8 @@ bool may_merge_curve_vertices(const Parameters& parameters, const Input_kind& ki
          std::is_same<std::decay_t<decltype(parameters.face_patch_map)>, No_map>::value;
 }
 
-// How wide crests may be, in target lengths, that guide the iterations; 0: none do. Where a policy has a say in what is split and collapsed,
-// or curves may not be collapsed, nobody knows what would become of one.
+// How wide crests may be, in target lengths, that guide the iterations; 0: none do. Where a policy has a say in what is split and
+// collapsed, or curves may not be collapsed, nobody knows what would become of one.
 template <class Parameters>
 double crest_width(const Parameters& parameters, double target)
 {

@@ -20,7 +20,8 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// Designed curves are not jagged; where the fillets of a part are joined across a corner, they are. Crests are as jagged as the input's edges.
+// Designed curves are not jagged; where the fillets of a part are joined across a corner, they are. Crests are as jagged as the input's
+// edges.
 inline std::vector<double> scales_of_corners(const Remeshing_mesh& mesh, const Input_kind& kind, double target)
 {
   constexpr double CREST_SCALE = 2;

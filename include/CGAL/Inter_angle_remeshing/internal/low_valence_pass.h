@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_CLEAN_UP_PASS_H
-#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_CLEAN_UP_PASS_H
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_LOW_VALENCE_PASS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_LOW_VALENCE_PASS_H
 
 #include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/regular_valence.h>
@@ -39,7 +39,7 @@ inline int collapse_gain(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 
 // Returns the number of collapses.
 template <class ConcurrencyTag>
-std::size_t clean_up_pass(Remeshing_context& context)
+std::size_t low_valence_pass(Remeshing_context& context)
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
@@ -70,4 +70,4 @@ std::size_t clean_up_pass(Remeshing_context& context)
 } // namespace Inter_angle_remeshing
 } // namespace CGAL
 
-#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_CLEAN_UP_PASS_H
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_LOW_VALENCE_PASS_H

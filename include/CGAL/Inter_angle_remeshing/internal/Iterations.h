@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_ITERATIONS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_ITERATIONS_H
+
+#include <CGAL/Inter_angle_remeshing/Recipe.h>
+#include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
+#include <CGAL/Inter_angle_remeshing/internal/Face_count_steering.h>
+#include <CGAL/Inter_angle_remeshing/internal/Pass_runner.h>
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/Run_clock.h>
+#include <CGAL/Inter_angle_remeshing/internal/Schedule.h>
+#include <CGAL/Inter_angle_remeshing/internal/angle_bands.h>
+#include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
+#include <CGAL/Inter_angle_remeshing/internal/space_filling_order.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+// The iterations: splits and collapses bring the edges to the target length, flips and glides the valences to what is regular, sweeps the
+// vertices to the centres of their neighbors. They end once one of them does hardly anything, or after as many as were asked for.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+template <class ConcurrencyTag>
+class Iterations
+{
+  using Index = Remeshing_mesh::Index;
+
+  // The iteration from which on glides pay: before, splits and collapses stir the valences up too much.
+  static constexpr unsigned FIRST_GLIDES = 2;
+  // Once an iteration does no more than one operation for so many faces, only the last ones are left to do.
+  static constexpr std::size_t SETTLED = 1000;
+  // If an iteration does hardly anything while many faces are out of the band, the mesh is disturbed once: by splits for .9, or, if too
+  // dense, by collapses for 1.25 of the length. Hardly anything: one operation for so many faces; many: this part of the faces.
+  static constexpr std::size_t HARDLY_MOVING = 100;
+  static constexpr double SKEWED = 0.1, STIRRED_BY_SPLITS = 0.9, STIRRED_BY_COLLAPSES = 1.25;
+  // A mesh of more than so many times the faces that its area asks for is coarsened in up to so many rounds, as long as each leaves
+  // less than this part of the faces.
+  static constexpr double TOO_DENSE = 1.5, COARSENED = 0.97;
+  static constexpr int MOST_COARSENINGS = 8;
+
+public:
+  Iterations(Remeshing_context& context, const Schedule& schedule, Run_clock& clock, Remeshing_report& report,
+             Pass_runner<ConcurrencyTag>& passes)
+    : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule), clock_(clock), report_(report),
+      passes_(passes)
+  {}
+
+  void run()
+  {
+    Face_count_steering steering(context_.target_length);
+    while (clock_.has_iterations_left() && passes_.goes_on()) {
+      steering.steer(context_, clock_, passes_.wanted_faces());
+      iterate();
+    }
+  }
+
+  void begin_anew()
+  {
+    operations_in_order_ = 0;
+    is_stirred_up_ = is_only_split_ = false;
+  }
+
+private:
+  void iterate()
+  {
+    const std::size_t operations = number_of_operations();
+    clock_.start_iteration();
+    context_.visitor.start_iteration(clock_.iterations(), mesh_);
+    if (clock_.is_late() && clock_.is_at_finest_level()) passes_.release_features();
+    const int halvings = clock_.iterations() == 0 || is_only_split_ ? halvings_to_do() : 0;
+    passes_.split_and_collapse();
+    is_only_split_ = is_only_to_be_split(halvings);
+    if (clock_.is_late() && number_of_operations() > operations) settle_lengths();
+    order_elements();
+    if (clock_.is_late() || !is_only_split_) {
+      passes_.flip(passes_.flip_rounds(), recipe_.glide_depth > 0 && (clock_.iterations() >= FIRST_GLIDES || clock_.is_late()));
+      relax();
+    }
+    const std::size_t done = number_of_operations() - operations, faces = mesh_.number_of_live_faces();
+    if (passes_.goes_on() && !context_.keeps_vertices && !clock_.is_late()) {
+      if (!is_stirred_up_ && done <= faces / HARDLY_MOVING && is_skewed()) stir_up();
+      else if (done <= faces / SETTLED) clock_.hurry();
+    }
+    context_.visitor.end_iteration(clock_.iterations(), mesh_);
+    clock_.end_iteration();
+    report_.iterations = clock_.iterations();
+    passes_.print_state("iteration " + std::to_string(clock_.iterations()));
+  }
+
+  std::size_t number_of_operations() const
+  {
+    return report_.splits + report_.collapses + report_.flips + report_.glides;
+  }
+
+  void relax()
+  {
+    // Between the passes of the early iterations, being a little off the surface does no harm.
+    const bool is_pulled_back = clock_.is_late() || clock_.iterations() % 2 == 0;
+    passes_.relax(clock_.is_late() ? recipe_.last_sweeps : recipe_.sweeps,
+                  is_pulled_back ? Pull_back::after_last_sweep : Pull_back::never);
+  }
+
+  // Whether many faces are out of their bands. Where hardly an operation is left to do, they are those of a grid of edges of nearly
+  // the target length: all of its vertices are regular, and at the centres of their neighbors, however skew its faces are.
+  bool is_skewed() const
+  {
+    const Angle_bands bands(recipe_);
+    std::size_t skewed = 0;
+    for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f) skewed += mesh_.is_face(f) && !holds_band(mesh_, bands, f);
+    return double(skewed) > SKEWED * double(mesh_.number_of_live_faces());
+  }
+
+  // What is split or collapsed for another length, once, the next iterations take back at other places.
+  void stir_up()
+  {
+    is_stirred_up_ = true;
+    const double target_length = context_.target_length;
+    context_.target_length *= is_too_dense() ? STIRRED_BY_COLLAPSES : STIRRED_BY_SPLITS;
+    passes_.split_and_collapse();
+    context_.target_length = target_length;
+    even_out();
+  }
+
+  // What splits and collapses leave, before the next ones.
+  void even_out()
+  {
+    passes_.flip(1, false);
+    passes_.relax(recipe_.sweeps, Pull_back::after_last_sweep);
+  }
+
+  // An iteration halves edges, and merges a vertex with few of those around it. What is far too long or far too dense even when
+  // the last iterations begin goes through as many short ones as it takes, so that those work on a mesh of about the target
+  // length. Each should halve the longest edge, or take away faces; where policies do not let it, the rounds end all the same.
+  void settle_lengths()
+  {
+    int halvings = halvings_to_do();
+    for (int round = halvings + MOST_COARSENINGS; round > 0 && passes_.goes_on() && (halvings > 0 || is_too_dense()); --round) {
+      even_out();
+      const std::size_t faces = mesh_.number_of_live_faces(), splits = passes_.split_and_collapse();
+      if ((halvings == 0 || splits == 0) && double(mesh_.number_of_live_faces()) > COARSENED * double(faces)) return;
+      halvings = halvings_to_do();
+    }
+  }
+
+  bool is_too_dense() const
+  {
+    return !context_.collapse_rule.is_never() &&
+           double(mesh_.number_of_live_faces()) > TOO_DENSE * context_.grading.number_of_faces(mesh_, context_.target_length);
+  }
+
+  // Whether edges are so much too long that the input's own, halved, are better than what flips and sweeps would make of them: faces
+  // that long, turned a little, cut through what lies between them, and vertices at short edges are drawn to the far ends of long
+  // ones. `before` is halvings_to_do() before the last splits, which must have shortened the longest edges.
+  bool is_only_to_be_split(int before) const
+  {
+    const int now = before > 0 ? halvings_to_do() : 0;
+    return now > 0 && now < before;
+  }
+
+  // How often the longest edge must be halved until it is no longer far too long.
+  int halvings_to_do() const
+  {
+    if (context_.split_rule.is_never()) return 0;
+    const double ratio = longest_edge_in_targets(mesh_, [&](Index u, Index v) { return context_.length_at(u, v); }) /
+                         recipe_.split_ratio;
+    return ratio > 2 ? 1 + int(std::log2(ratio)) : 0;
+  }
+
+  // Puts the elements in space-filling order anew when splits and collapses have left enough of them out of it. The
+  // larger the mesh, the sooner that pays.
+  void order_elements()
+  {
+    const std::size_t faces = mesh_.number_of_live_faces(), operations = report_.splits + report_.collapses;
+    const std::size_t fraction = faces < 100000 ? 4 : faces < 1000000 ? 8 : 32;
+    if (operations - operations_in_order_ <= faces / fraction) return;
+    mesh_.renumber<ConcurrencyTag>(morton_order(mesh_));
+    passes_.measure_grading();
+    operations_in_order_ = operations;
+  }
+
+  Remeshing_context& context_;
+  Remeshing_mesh& mesh_;
+  const Recipe& recipe_;
+  const Schedule& schedule_;
+  Run_clock& clock_;
+  Remeshing_report& report_;
+  Pass_runner<ConcurrencyTag>& passes_;
+  bool is_stirred_up_ = false;           // once only
+  bool is_only_split_ = false;           // in this iteration
+  std::size_t operations_in_order_ = 0;  // splits and collapses before the last ordering
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_ITERATIONS_H
