@@ -42,7 +42,7 @@ The result depends neither on the concurrency tag nor on the number of threads.
 
 Source: X. Zheng and Z. Lv, <em>Isotropic Remeshing with Inter-Angle Optimization</em>, ICIG 2025, arXiv 2507.13641;
 M. Botsch and L. Kobbelt, <em>A Remeshing Approach to Multiresolution Modeling</em>, SGP 2004. Complexity: linear in the
-number of faces of the range and of the result, per iteration.
+number of faces of the range and of the result, per iteration; at vertices with thousands of faces in the square of these.
 
 @tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
 @tparam FaceRange a model of `ConstRange` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as value type
