@@ -205,7 +205,7 @@ void equilateral_triangles_have_60_degrees()
 
 void border_vertices_are_not_interior()
 {
-  // 6 x 6 vertices, of which 4 x 4 lie inside; every one of these has six neighbours
+  // 6 x 6 vertices, of which 4 x 4 lie inside; every one of these has six neighbors
   const auto grid = IAR::inter_angle_statistics(to_mesh(equilateral_lattice(5)));
   CHECK(grid.valence_histogram == std::vector<std::size_t>{0, 0, 0, 0, 0, 0, 16});
   CHECK(grid.regular_vertices() == 1);
@@ -238,7 +238,7 @@ void angles_are_counted_in_bins_of_five_degrees()
 
 void sphere_from_an_icosahedron()
 {
-  // The neighbouring corners of an icosahedron are alpha = acos(1 / sqrt 5) apart, seen from the centre; those of an
+  // The neighboring corners of an icosahedron are alpha = acos(1 / sqrt 5) apart, seen from the centre; those of an
   // icosidodecahedron, which the midpoints form, 36 degrees. Of four triangles one is equilateral, and three have an
   // apex with two sides 2 sin(alpha / 4) and a base 2 sin(18 degrees).
   const double alpha = std::acos(1 / std::sqrt(5.));
@@ -324,9 +324,9 @@ void a_range_is_measured_for_itself()
   CHECK(equal(IAR::inter_angle_statistics(faces(mesh), mesh), IAR::inter_angle_statistics(mesh)));
 
   // the six faces around one vertex: it alone has all of its faces in the range
-  const Mesh::Vertex_index center(2 * 6 + 2);
+  const Mesh::Vertex_index centre(2 * 6 + 2);
   std::vector<Mesh::Face_index> umbrella;
-  for(const Mesh::Face_index f : CGAL::faces_around_target(mesh.halfedge(center), mesh))
+  for(const Mesh::Face_index f : CGAL::faces_around_target(mesh.halfedge(centre), mesh))
     umbrella.push_back(f);
   const auto around = IAR::inter_angle_statistics(umbrella, mesh);
   CHECK(around.number_of_faces == 6);

@@ -21,12 +21,8 @@ namespace internal {
 inline double area(const Remeshing_mesh& mesh)
 {
   double doubled = 0;
-  for (std::size_t f = 0; f < mesh.number_of_face_slots(); ++f) {
-    const Corner_table::Face& t = mesh.face_record(Corner_table::Index(f));
-    if (t.vertex[0] >= 0)
-      doubled += length(triangle_cross(mesh.position(t.vertex[0]), mesh.position(t.vertex[1]),
-                                       mesh.position(t.vertex[2])));
-  }
+  for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(mesh.number_of_face_slots()); ++f)
+    if (mesh.is_face(f)) doubled += length(mesh.cross_product(f));
   return doubled / 2;
 }
 

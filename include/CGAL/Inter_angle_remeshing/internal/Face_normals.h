@@ -85,7 +85,7 @@ private:
   static constexpr double SHEET_ANGLE = 40;
   static constexpr std::size_t LARGEST_SLIVER = 64;
 
-  // Slivers that are folded onto a neighbour look as that one does.
+  // Slivers that are folded onto a neighbor look as that one does.
   void correct_folded_slivers()
   {
     std::vector<std::pair<Index, Vector3>> corrected;
@@ -105,7 +105,7 @@ private:
     return longest;
   }
 
-  // Whether face f, of which h is the longest edge, is thin and lies on a neighbour: where it looks says nothing about the surface.
+  // Whether face f, of which h is the longest edge, is thin and lies on a neighbor: where it looks says nothing about the surface.
   bool is_folded_sliver(Index f, Index h) const
   {
     if (doubled_area_[f] > SLIVER * mesh_.squared_edge_length(h)) return false;

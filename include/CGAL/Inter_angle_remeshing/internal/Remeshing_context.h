@@ -14,6 +14,8 @@
 #include <CGAL/Inter_angle_remeshing/internal/kept_places.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
 
+#include <CGAL/number_utils.h>
+
 #include <limits>
 
 namespace CGAL {
@@ -31,22 +33,27 @@ struct Remeshing_context
 {
   using Index = Remeshing_mesh::Index;
 
+  Remeshing_context(Remeshing_mesh& mesh, const Recipe& recipe, const Input_curves& curves, const Sizing& sizing,
+                    const Projection& projector, Run_visitor& visitor, double target_length)
+    : mesh(mesh), recipe(recipe), curves(curves), sizing(sizing), projector(projector), visitor(visitor),
+      target_length(target_length)
+  {}
+
   Remeshing_mesh& mesh;
   const Recipe& recipe;
   const Input_curves& curves;
-  const Edge_rule split_rule, collapse_rule, flip_rule;
+  const Sizing& sizing;
   const Projection& projector;
   Run_visitor& visitor;
-  bool may_collapse_constraints;
   double target_length;                // in the units of the flat mesh
-  bool keeps_vertices;                 // nothing is split or collapsed: the target length is that of the edges that there are, a scale
-
-  double release_distance;             // of corners of features that may be given up, in target lengths; 0: none may
-  bool may_subdivide;                  // no rule of the user's says which edges are split, collapsed or flipped
-  const Sizing& sizing;
-  const Input_locator* locator;        // null where nobody asks for places
-  double grading_rate;                 // at curves; 0: their short edges do not lower the target length
-  double noise;                        // of the input, beside the target length; 0: it is clean
+  Edge_rule split_rule = true, collapse_rule = true, flip_rule = true;
+  bool keeps_vertices = false;         // nothing is split or collapsed: the target length is a scale, that of the edges that there are
+  bool may_collapse_constraints = true;
+  bool may_subdivide = true;           // no rule of the user's says which edges are split, collapsed or flipped
+  double release_distance = 0;         // of corners of features that may be given up, in target lengths; 0: none may
+  double grading_rate = 0;             // at curves; 0: their short edges do not lower the target length
+  double noise = 0;                    // of the input, beside the target length; 0: it is clean
+  const Input_locator* locator = nullptr;  // null where nobody asks for places
   Grading grading;
   Kept_places kept_places;             // while faces and angles are mended
 
@@ -63,14 +70,14 @@ struct Remeshing_context
   // The longest and the shortest that an edge between u and v, not on a curve, may be; squared.
   double squared_length_limit(Index u, Index v) const
   {
-    return grading.is_uniform() ? squared_length_limit() : squared_length_limit() * squared(grading.part(u, v));
+    return grading.is_uniform() ? squared_length_limit() : squared_length_limit() * CGAL::square(grading.part(u, v));
   }
   double squared_shortness_limit(Index u, Index v) const
   {
-    return grading.is_uniform() ? squared_shortness_limit() : squared_shortness_limit() * squared(grading.part(u, v));
+    return grading.is_uniform() ? squared_shortness_limit() : squared_shortness_limit() * CGAL::square(grading.part(u, v));
   }
-  double squared_length_limit() const { return squared(recipe.split_ratio * target_length); }
-  double squared_shortness_limit() const { return squared(recipe.collapse_ratio * target_length); }
+  double squared_length_limit() const { return CGAL::square(recipe.split_ratio * target_length); }
+  double squared_shortness_limit() const { return CGAL::square(recipe.collapse_ratio * target_length); }
 
   // Whether the target length is so much less than the mean altitude of the surface's faces that chords are too short to matter.
   bool is_finer_than_surface() const
@@ -98,8 +105,6 @@ struct Remeshing_context
   bool permits_flip(Index h, bool is_transient) const { return permits(flip_rule, h, is_transient); }
 
 private:
-  static double squared(double x) { return x * x; }
-
   bool permits(const Edge_rule& rule, Index h, bool is_transient) const
   {
     const Index side = h >= 0 ? h : ~h;      // of a border side, the other one

@@ -183,6 +183,12 @@ public:
   double arc_length(Index curve_end) const { return curve_edges_[curve_end >> 1].arc_length[curve_end & 1]; }
 
   double squared_edge_length(Index h) const { return squared_distance(position_[origin(h)], position_[target(h)]); }
+  // Twice the area times the unit normal of face f.
+  Vector3 cross_product(Index f) const
+  {
+    const auto& v = faces_[f].vertex;
+    return triangle_cross(position_[v[0]], position_[v[1]], position_[v[2]]);
+  }
   // Of the face of h, over h.
   double altitude(Index h) const
   {
@@ -213,7 +219,7 @@ public:
     return true;
   }
 
-  // Calls `function(u)` for each neighbour u of v, counterclockwise.
+  // Calls `function(u)` for each neighbor u of v, counterclockwise.
   template <class Function>
   void for_each_neighbor(Index v, const Function& function) const
   {
@@ -480,8 +486,8 @@ inline bool Remeshing_mesh::keeps_topology(Index h) const
   for (const Index v : {c, d})
     if (v >= 0 && state_[v].valence <= least_valence(v)) return false;
 
-  // Link condition: the common neighbours of a and b are the apexes. Where a is on the border, so is the edge,
-  // and the third edge of a border loop of three shows as one more common neighbour.
+  // Link condition: the common neighbors of a and b are the apexes. Where a is on the border, so is the edge,
+  // and the third edge of a border loop of three shows as one more common neighbor.
   int common = 0;
   bool is_legal = true;
   for_each_neighbor(a, [&](Index u) {

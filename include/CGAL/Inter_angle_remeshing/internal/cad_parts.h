@@ -101,8 +101,7 @@ private:
   {
     double area = 0;
     for (Index f = 0; f < Index(part.number_of_face_slots()); ++f) {
-      const auto& v = part.face_record(f).vertex;
-      area += length(triangle_cross(part.position(v[0]), part.position(v[1]), part.position(v[2]))) / 2;
+      area += length(part.cross_product(f)) / 2;
     }
     return area >= LEAST_AREA * target_length * target_length;
   }

@@ -94,7 +94,7 @@ private:
   {
     std::vector<Vector3> normals(mesh_.number_of_face_slots());
     for (Index f = 0; f < Index(normals.size()); ++f)
-      if (mesh_.is_face(f)) normals[f] = cross_product(mesh_, f);
+      if (mesh_.is_face(f)) normals[f] = mesh_.cross_product(f);
     std::vector<char> is_sharp(mesh_.number_of_vertex_slots(), 0);
     mesh_.for_each_edge([&](Index h) {
       if (mesh_.is_on_curve_edge(h) ||

@@ -171,13 +171,13 @@ private:
     }
   }
 
-  double density_around(const Key& center) const
+  double density_around(const Key& centre) const
   {
-    const double length = length_of(center.level);
+    const double length = length_of(centre.level);
     Cell sum;
-    Key k = center;
+    Key k = centre;
     for (int i = 0; i < 27; ++i) {
-      k.cell = {center.cell[0] + i / 9 - 1, center.cell[1] + i / 3 % 3 - 1, center.cell[2] + i % 3 - 1};
+      k.cell = {centre.cell[0] + i / 9 - 1, centre.cell[1] + i / 3 % 3 - 1, centre.cell[2] + i % 3 - 1};
       if (const auto found = cells_.find(k); found != cells_.end()) sum.add(found->second);
     }
     const double agreeing = internal::length(sum.normal);

@@ -12,6 +12,8 @@
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface_walk.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -98,11 +100,6 @@ private:
     const auto& v = mesh_.face_record(f).vertex;
     return b[0] * mesh_.position(v[0]) + b[1] * mesh_.position(v[1]) + b[2] * mesh_.position(v[2]);
   }
-  Vector3 cross_product(Index f) const
-  {
-    const auto& v = mesh_.face_record(f).vertex;
-    return triangle_cross(mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2]));
-  }
 
   // Where on the surface the walk of a sample begins: where a corner was projected. One on a curve says nothing about the
   // side of the curve; at last the input face is asked that the face descends from.
@@ -122,7 +119,6 @@ private:
     return {x[data_.rank(v[0])], x[data_.rank(v[1])], x[data_.rank(v[2])]};
   }
 
-  static double squared(double x) { return x * x; }
   double length_on_face(Index f) const { return context_.length_at(mesh_.face_record(f).vertex[0]); }
   void sample_result();
   void sample_surface();
@@ -154,7 +150,7 @@ void Surface_fit<ConcurrencyTag>::sample_result()
   for_each_block<ConcurrencyTag>(mesh_.number_of_face_slots(), BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (Index f = Index(begin); f < Index(end); ++f) {
       if (!mesh_.is_face(f)) continue;
-      const Vector3 c = cross_product(f);
+      const Vector3 c = mesh_.cross_product(f);
       const double area = length(c) / 2;
       if (!(area > 0)) continue;
       for (int k = 0; k < 3; ++k) {
@@ -162,7 +158,7 @@ void Surface_fit<ConcurrencyTag>::sample_result()
         Index& hint = nearest_faces_[3 * f + k];
         hint = start(f, k);
         const Surface_point s = context_.projector.nearest(y, hint);
-        if (squared_distance(s.point, y) > squared(length_on_face(f)) || !(dot(s.normal, c) > 0)) continue;
+        if (squared_distance(s.point, y) > CGAL::square(length_on_face(f)) || !(dot(s.normal, c) > 0)) continue;
         equations_[f].add(places()[k], s.normal, area / 3, dot(s.point - y, s.normal));
       }
     }
@@ -213,7 +209,7 @@ void Surface_fit<ConcurrencyTag>::sample_surface()
         const Barycentric b = n == 1 ? Barycentric{1. / 3, 1. / 3, 1. / 3} : places()[k];
         const Surface_point s = projector.at(f, b);
         const Point_on_triangle c = walk_to_closest_point(mesh_, s.point, g);
-        if (squared_distance(c.point, s.point) > squared(length_on_face(g)) || !(dot(s.normal, cross_product(g)) > 0)) continue;
+        if (squared_distance(c.point, s.point) > CGAL::square(length_on_face(g)) || !(dot(s.normal, mesh_.cross_product(g)) > 0)) continue;
         const auto& v = mesh_.face_record(g).vertex;
         take(Sample{g, barycentric(c, mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])), s.normal,
                     area / double(n), dot(s.point - c.point, s.normal)});
@@ -262,7 +258,7 @@ double Surface_fit<ConcurrencyTag>::set_up(std::size_t i)
   Vector3 right;
   mesh_.for_each_around(v, [&](Index h) {
     const Face_equations& e = equations_[mesh_.face(h)];
-    const Vector3 c = cross_product(mesh_.face(h));
+    const Vector3 c = mesh_.cross_product(mesh_.face(h));
     normal += c;
     area += internal::length(c) / 6;
     centre += mesh_.position(mesh_.target(h));
@@ -270,7 +266,7 @@ double Surface_fit<ConcurrencyTag>::set_up(std::size_t i)
     right += e.right(mesh_.corner(h));
   });
   const Vector3 way = (1. / mesh_.valence(v)) * centre - mesh_.position(v), u = unit(normal);
-  flat_normal_[i] = squared_length(right) <= squared(FLAT * length * area) ? u : Vector3();
+  flat_normal_[i] = squared_length(right) <= CGAL::square(FLAT * length * area) ? u : Vector3();
   regular_[i] = Symmetric_matrix::axial(tangential * area, (NORMAL - tangential) * area, u);
   own += regular_[i];
   inverse_[i] = own.inverse();

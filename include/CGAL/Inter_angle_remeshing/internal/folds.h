@@ -27,12 +27,6 @@ constexpr double FOLD_COSINE = -0.5, DEGREES_OF_FOLD = 20;
 // Smallest cosine between the normals of a face and of the surface, or of its facet, under its centre: 60 degrees.
 constexpr double LEAVING_COSINE = 0.5;
 
-inline Vector3 cross_product(const Remeshing_mesh& mesh, Remeshing_mesh::Index f)
-{
-  const auto& v = mesh.face_record(f).vertex;
-  return triangle_cross(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]));
-}
-
 // Whether face f turns away from the surface. Beside a sharp crease of the surface neither of two faces does.
 inline bool leaves_surface(const Remeshing_context& context, Remeshing_mesh::Index f)
 {
@@ -48,7 +42,7 @@ inline bool leaves_surface(const Remeshing_context& context, Remeshing_mesh::Ind
     const Surface_point p = context.projector.nearest(centre, hint);
     if (const double d = squared_distance(p.point, centre); d < least) { nearest = p; facet = hint; least = d; }
   }
-  const auto turns_away_from = [&, own = cross_product(mesh, f)](const Vector3& normal) {
+  const auto turns_away_from = [&, own = mesh.cross_product(f)](const Vector3& normal) {
     return !is_cosine_at_least(normal, own, LEAVING_COSINE);
   };
   return turns_away_from(nearest.normal) && turns_away_from(context.projector.surface->cross_product(facet));
@@ -59,12 +53,12 @@ template <class Leaves>
 double fold_violation(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, Leaves& leaves)
 {
   using Index = Remeshing_mesh::Index;
-  const Vector3 n = cross_product(mesh, f);
+  const Vector3 n = mesh.cross_product(f);
   double least = 1;
   for (Index h = 4 * f; h < 4 * f + 3; ++h) {
     if (mesh.is_on_curve_edge(h)) continue;
     const Index g = mesh.face(mesh.opposite(h));
-    const Vector3 m = cross_product(mesh, g);
+    const Vector3 m = mesh.cross_product(g);
     const double product = dot(n, m);
     if (product >= 0) continue;
     const double cosine = product / std::sqrt(squared_length(n) * squared_length(m));

@@ -129,7 +129,7 @@ private:
       if (!mesh.is_face(f)) continue;
       const auto& v = mesh.face_record(f).vertex;
       const double l = target_length * function(part(v[0]), part(v[1]), part(v[2]));
-      result += 2 / std::sqrt(3.) * length(triangle_cross(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]))) / (l * l);
+      result += 2 / std::sqrt(3.) * length(mesh.cross_product(f)) / (l * l);
     }
     return result;
   }

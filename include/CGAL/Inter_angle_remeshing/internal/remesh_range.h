@@ -199,12 +199,17 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
                                                [&](const Projection& projector, const auto&... restore) {
     std::optional<Input_locator> locator;
     if (wanted.sizing.needs_places() || attributes.are_carried()) locator.emplace(projector, mesh);
-    Remeshing_context context{mesh, parameters.recipe, curves, rule(split_policy(parameters, kind), keeps_vertices),
-                              rule(parameters.collapse_policy, keeps_vertices), rule(parameters.flip_policy), projector,
-                              parameters.visitor, parameters.may_collapse_constraints,
-                              target, keeps_vertices, release_distance(parameters, kind), parameters.may_subdivide, wanted.sizing,
-                              locator ? &*locator : nullptr, has_small_details ? parameters.recipe.grading : 0.,
-                              noise(kind, mean_length, target), Grading(), Kept_places()};
+    Remeshing_context context(mesh, parameters.recipe, curves, wanted.sizing, projector, parameters.visitor, target);
+    context.split_rule = rule(split_policy(parameters, kind), keeps_vertices);
+    context.collapse_rule = rule(parameters.collapse_policy, keeps_vertices);
+    context.flip_rule = rule(parameters.flip_policy);
+    context.keeps_vertices = keeps_vertices;
+    context.may_collapse_constraints = parameters.may_collapse_constraints;
+    context.may_subdivide = parameters.may_subdivide;
+    context.release_distance = release_distance(parameters, kind);
+    context.grading_rate = has_small_details ? parameters.recipe.grading : 0.;
+    context.noise = noise(kind, mean_length, target);
+    if (locator) context.locator = &*locator;
     const Run_result result = run_passes<Concurrency>(context, parameters.schedule, untouched);
     (restore(), ...);
     is_to_be_written = result.has_target_length;

@@ -12,6 +12,8 @@
 #include <CGAL/Inter_angle_remeshing/internal/mesh_regions.h>
 #include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -49,24 +51,24 @@ class Repair_operations
 public:
   explicit Repair_operations(Remeshing_context& context)
     : context_(context), mesh_(context.mesh),
-      limits_{LONGEST * squared(context.target_length), squared(TOLERANCE * context.target_length), MAXIMUM_MERGED_VALENCE}
+      limits_{LONGEST * CGAL::square(context.target_length), CGAL::square(TOLERANCE * context.target_length), MAXIMUM_MERGED_VALENCE}
   {}
 
   // What may be tried near face f.
   std::vector<Repair_operation> candidates(Index f, Fault fault, bool is_first_round)
   {
     const auto& corner = mesh_.face_record(f).vertex;
-    std::vector<Index> centers = ball(mesh_, {corner[0], corner[1], corner[2]}, 1, marks_);
-    centers.resize((std::min)(centers.size(), is_first_round ? VERTICES_AT_FIRST : VERTICES_LATER));
+    std::vector<Index> centres = ball(mesh_, {corner[0], corner[1], corner[2]}, 1, marks_);
+    centres.resize((std::min)(centres.size(), is_first_round ? VERTICES_AT_FIRST : VERTICES_LATER));
     const auto is_hub = [&](Index v) { return std::size_t(mesh_.valence(v)) > LARGEST_REGION; };
-    centers.erase(std::remove_if(centers.begin(), centers.end(), is_hub), centers.end());
+    centres.erase(std::remove_if(centres.begin(), centres.end(), is_hub), centres.end());
     std::vector<Repair_operation> result;
     if (is_at_crossing(fault) && context_.projector.has_faces())
-      for (const Index v : centers) if (mesh_.is_free(v)) result.push_back({Kind::place, mesh_.first(v)});
+      for (const Index v : centres) if (mesh_.is_free(v)) result.push_back({Kind::place, mesh_.first(v)});
     const double shortest = is_at_crossing(fault) ? SPLIT_AT_CROSSING : SPLIT;
     const int gain = is_first_round ? GAIN_AT_FIRST : GAIN_LATER;
-    for (const Index h : edges_of_stars(centers)) {
-      const double unit = squared(context_.length_at(mesh_.origin(h), mesh_.target(h)));
+    for (const Index h : edges_of_stars(centres)) {
+      const double unit = CGAL::square(context_.length_at(mesh_.origin(h), mesh_.target(h)));
       const double l = mesh_.squared_edge_length(h);
       if (!mesh_.is_on_curve_edge(h) && flip_gain(mesh_, h) <= gain) result.push_back({Kind::flip, h});
       if (l < COLLAPSED * unit) {
@@ -100,13 +102,11 @@ public:
   std::vector<Index> perform(const Repair_operation& operation) { return apply(operation, true); }
 
 private:
-  static double squared(double x) { return x * x; }
-
   // The edges of the faces around these vertices, each once.
-  std::vector<Index> edges_of_stars(const std::vector<Index>& centers) const
+  std::vector<Index> edges_of_stars(const std::vector<Index>& centres) const
   {
     std::vector<Index> edges;
-    for (const Index v : centers)
+    for (const Index v : centres)
       mesh_.for_each_around(v, [&](Index h) {
         for (const Index k : {h, mesh_.prev(h)}) {
           const Index o = mesh_.opposite(k);

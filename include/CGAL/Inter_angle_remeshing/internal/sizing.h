@@ -63,8 +63,7 @@ public:
       const auto& t = mesh.face_record(f);
       std::array<double, 3> corner;
       for (int k = 0; k < 3; ++k) corner[k] = lengths[mesh.input(t.vertex[k])];
-      const double doubled_area =
-        length(triangle_cross(mesh.position(t.vertex[0]), mesh.position(t.vertex[1]), mesh.position(t.vertex[2])));
+      const double doubled_area = length(mesh.cross_product(f));
       area += doubled_area;
       for (int k = 0; k < 3; ++k) {      // the rule of the midpoints
         const double l = 0.5 * (corner[k] + corner[(k + 1) % 3]);

@@ -153,7 +153,7 @@ inline bool is_beside_needle(const Remeshing_context& context, Remeshing_mesh::I
   if (edge < target_lengths * length) return false;
   for (const Remeshing_mesh::Index side : {h, mesh.opposite(h)}) {
     if (side < 0) continue;
-    const double altitude = internal::length(cross_product(mesh, mesh.face(side))) / edge;
+    const double altitude = internal::length(mesh.cross_product(mesh.face(side))) / edge;
     if (altitude < length && altitude > THIN * length) return true;
   }
   return false;

@@ -89,12 +89,12 @@ public:
   {
     std::frexp((std::max)(first.largest_coordinate(), second.largest_coordinate()), &exponent_);
     for (std::size_t i = 0; i < 3; ++i)
-      center_[i] = .5 * (scaled((std::min)(first.lower[i], second.lower[i])) + scaled((std::max)(first.upper[i], second.upper[i])));
+      centre_[i] = .5 * (scaled((std::min)(first.lower[i], second.lower[i])) + scaled((std::max)(first.upper[i], second.upper[i])));
   }
 
   Distance_point apply(const Coordinates& p) const
   {
-    return {scaled(p[0]) - center_[0], scaled(p[1]) - center_[1], scaled(p[2]) - center_[2]};
+    return {scaled(p[0]) - centre_[0], scaled(p[1]) - centre_[1], scaled(p[2]) - centre_[2]};
   }
 
   double restore_length(double length) const { return std::ldexp(length, exponent_); }
@@ -103,7 +103,7 @@ private:
   double scaled(double coordinate) const { return std::ldexp(coordinate, -exponent_); }
 
   int exponent_ = 0;                     // of two, above every coordinate
-  Coordinates center_ = {};              // after the scaling
+  Coordinates centre_ = {};              // after the scaling
 };
 
 struct Normalized_surface
