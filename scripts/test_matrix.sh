@@ -5,9 +5,9 @@
 # test_matrix.sh [--all] [CGAL_INCLUDE_DIR...]: compiles and runs tests, in their short form, with each of the given versions
 # of CGAL (default: the installed one), with g++ and clang++ where they are installed, as C++17 and as C++20. Warnings in the
 # package and in the tests are errors. Without --all, two of the tests. COMPILERS, STANDARDS and TESTS, lists of words, say
-# otherwise:
+# otherwise, and FOLDER where to compile:
 #   STANDARDS=20 TESTS=test_exchange scripts/test_matrix.sh /opt/CGAL-6.2/include
-# Prints a row for each combination. Exit code 1 if one fails; logs are in build/matrix.
+# Prints a row for each combination. Exit code 1 if one fails; logs are in FOLDER, by default build/matrix.
 set -euo pipefail
 # shellcheck source=scripts/build_functions.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/build_functions.sh"
@@ -15,7 +15,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/build_functions.sh"
 usage() { sed -n '/^# test_matrix.sh/,/^[^#]/ s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; }
 
 tests_folder=$root/test/Inter_angle_remeshing
-folder=$root/build/matrix
+folder=${FOLDER:-$root/build/matrix}
 tests=${TESTS:-test_mesh_types test_as_in_pmp}
 includes=()
 for argument in "$@"; do
@@ -77,17 +77,41 @@ unpack_data() {
   [[ -d $data/meshes || ! -f $archive ]] || tar -xzf "$archive" -C "$folder" data/meshes
 }
 
-# check COMPILER STANDARD INCLUDE TEST: the word for the table.
-check() {
-  local compiler=$1 standard=$2 include=$3 test=$4 program
-  program=$folder/$compiler-$standard-$(version_of "$include")-$test
-  local options libraries system=()
-  read -r -d '' -a options < <(options_for "$compiler" "$test") || true
-  read -r -d '' -a libraries < <(libraries_for "$compiler" "$test") || true
+# name_of COMPILER STANDARD INCLUDE PROGRAM: of a file in the folder.
+name_of() { echo "$folder/$1-$2-$(version_of "$3")-$4"; }
+
+# compile COMPILER STANDARD INCLUDE PROGRAM ARGUMENT...
+compile() {
+  local compiler=$1 standard=$2 include=$3 program=$4
+  shift 4
+  local options system=()
+  read -r -d '' -a options < <(options_for "$compiler" "$program") || true
   # A folder that the compiler searches by itself stays where it is: libraries' own headers rely on the order.
   [[ $include -ef /usr/include ]] || system=(-isystem "$include")
-  "$compiler" "-std=c++$standard" "${options[@]}" "-DCGAL_DATA_DIR=\"$data\"" -I "$root/include" "${system[@]}" \
-    "$tests_folder/$test.cpp" -o "$program" "${libraries[@]}" >"$program.log" 2>&1 || { echo "not compiled"; return; }
+  "$compiler" "-std=c++$standard" "${options[@]}" "-DCGAL_DATA_DIR=\"$data\"" -I "$root/include" "${system[@]}" "$@"
+}
+
+# compile_models COMPILER STANDARD INCLUDE: what the tests share, as objects; a test that needs one that is missing does not link.
+compile_models() {
+  local model object
+  for model in invariants models; do
+    object=$(name_of "$@" "$model").o
+    rm -f "$object"
+    compile "$@" "$model" -c "$tests_folder/$model.cpp" -o "$object" >"${object%.o}.log" 2>&1 || true
+  done
+}
+
+# check COMPILER STANDARD INCLUDE TEST: the word for the table.
+check() {
+  local compiler=$1 test=$4 program libraries model object models=()
+  program=$(name_of "$@")
+  read -r -d '' -a libraries < <(libraries_for "$compiler" "$test") || true
+  for model in invariants models; do
+    object=$(name_of "$1" "$2" "$3" "$model").o
+    [[ ! -f $object ]] || models+=("$object")
+  done
+  compile "$@" "$tests_folder/$test.cpp" "${models[@]}" -o "$program" "${libraries[@]}" >"$program.log" 2>&1 ||
+    { echo "not compiled"; return; }
   CGAL_DATA_DIR=$data INTER_ANGLE_TEST_SMALL=1 "$program" >>"$program.log" 2>&1 || { echo failed; return; }
   rm -f "$program"
   echo passed
@@ -100,6 +124,7 @@ printf '%-10s %-10s %-9s %-24s %s\n' CGAL compiler standard test result
 for include in "${includes[@]}"; do
   for compiler in "${compilers[@]}"; do
     for standard in ${STANDARDS:-17 20}; do
+      compile_models "$compiler" "$standard" "$include"
       for test in $tests; do
         result=$(check "$compiler" "$standard" "$include" "$test")
         [[ $result == passed ]] || exit_code=1

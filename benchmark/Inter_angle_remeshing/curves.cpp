@@ -92,7 +92,7 @@ void compare(const std::string& name, double factor, bool is_cad)
   Mesh ours, theirs, unmarked;
   std::vector<double> ratio, ratio_unmarked;
   const auto iterations = parameters::number_of_iterations(10);
-  const auto features_of = [](Mesh& m) { return m.property_map<Mesh::Edge_index, bool>("e:feature").first; };
+  const auto features_of = [](Mesh& m) { return m.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first; };
   for (int i = 0; i < PAIRS; ++i) {
     const double pmp = seconds(input, theirs, [&](Mesh& m) {
       PMP::isotropic_remeshing(faces(m), length, m,

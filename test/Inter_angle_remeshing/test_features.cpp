@@ -1902,7 +1902,7 @@ void crests_guide_on_thin_bodies()
     for(const int calls : {20, 1000})
     {
       Mesh m = marked;
-      is_marked = m.property_map<Edge, bool>("e:marked").first;
+      is_marked = m.add_property_map<Edge, bool>("e:marked", false).first;   // the one that is there
       int left = calls;
       IAR::isotropic_remeshing(length, m, is_held.edge_is_constrained_map(is_marked).callback([&](double) { return --left > 0; }));
       for(const auto& [v, p] : held)
