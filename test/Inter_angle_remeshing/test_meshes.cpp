@@ -460,6 +460,18 @@ void crossing_faces_are_parted()
     CHECK_MESSAGE(report.crossing_faces == counted, name << " at " << factor << ": " << report.crossing_faces << " of " << counted);
     CHECK_MESSAGE(!crosses_itself || counted > 0, name);
   }
+  // Faces of a range that meet at a vertex alone, with others between them that are none of the range, only touch.
+  for(const double factor : {.5, 1., 2.})
+  {
+    Mesh m = mesh_of_cgal("sphere966");
+    std::vector<Face> range;
+    for(const Face f : m.faces())
+      if(f.idx() * 7919u % 10 != 0)
+        range.push_back(f);
+    const auto report = IAR::isotropic_remeshing(range, factor * mean_edge_length(m), m);
+    CHECK_MESSAGE(report.are_crossing_faces_known && report.crossing_faces == 0 && !does_self_intersect(m),
+                  factor << ": " << report.crossing_faces);
+  }
   // Where the target is so much finer than the surface that nothing is wrong, they are not looked for.
   for(const bool repairs : {true, false})
   {

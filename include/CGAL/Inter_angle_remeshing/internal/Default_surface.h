@@ -35,8 +35,8 @@ inline std::vector<Remeshing_mesh::Index> faces_by_source(const Reference_surfac
 
 // The default: facets where they are at most twice as large as the target is long, for they are what the result is measured
 // against; the MLS surface where they are three times as large, for there they would show; smooth between. Where hardly any
-// facet is that large, the run is one at the input's own length, and the facets rule everywhere; so they do on CAD models,
-// where they are what the design was approximated by, on wraps of these, and on stairs of voxels.
+// facet is that large, the run is one at the input's own length, and the facets rule everywhere; so they do on CAD models, and
+// parts of a scene that are such, where they are what the design was approximated by, on wraps of these, and on stairs of voxels.
 struct Default_surface
 {
   static constexpr double FACET_RATIO = 2, SMOOTH_RATIO = 3;
@@ -52,17 +52,20 @@ struct Default_surface
         parts.push_back(float(sizing.part_of_face(facets.face_record(f).source)));
       smallest_part = *std::min_element(parts.begin(), parts.end());
     }
+    std::vector<char> is_flat(facets.number_of_faces(), 0);
+    for (std::size_t f = 0; f < is_flat.size() && !kind.is_in_cad_part.empty(); ++f)
+      is_flat[f] = kind.is_in_cad_part[facets.face_record(Remeshing_mesh::Index(f)).source];
     double all = 0, large_ones = 0;
     for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()); ++f) {
       const double area = length(facets.cross_product(f));
       all += area;
       const double bound = FACET_RATIO * target * part(f);
-      if (mean_edge_length(facets, f) > bound && facet_size(facets, f) > bound) large_ones += area;
+      if (!is_flat[f] && mean_edge_length(facets, f) > bound && facet_size(facets, f) > bound) large_ones += area;
     }
     if (!(large_ones > LEAST_SHARE * all)) return;
     const std::vector<Remeshing_mesh::Index> creases =
       kind.searches_features ? std::vector<Remeshing_mesh::Index>() : find_features(mesh);
-    smooth.emplace(facets, creases, FACET_RATIO * target * double(smallest_part));
+    smooth.emplace(facets, creases, FACET_RATIO * target * double(smallest_part), &is_flat);
   }
   Default_surface(const Default_surface&) = delete;     // `smooth` refers to `facets`
   Default_surface& operator=(const Default_surface&) = delete;

@@ -58,9 +58,10 @@ public:
   using Index = Reference_surface::Index;
   using Barycentric = std::array<double, 3>;
 
-  // Of the faces that are larger than `least_size`; on the other ones the surface is the triangle. Features are
-  // the border, constrained edges, and those of the half-edges `creases`.
-  Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_size = -1);
+  // Of the faces that are larger than `least_size`; on the other ones, and on those of which `is_flat` says so, whose size is 0, the
+  // surface is the triangle. Features are the border, constrained edges, and those of the half-edges `creases`.
+  Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_size = -1,
+              const std::vector<char>* is_flat = nullptr);
 
   const Reference_surface& reference_surface() const { return *surface_; }
 
@@ -132,7 +133,7 @@ private:
   const Vector3& corner(Index f, int k) const { return surface_->position(surface_->face_record(f).vertex[k]); }
 
   bool is_on_feature(Index f, const Barycentric& b) const;
-  void find_sizes(double least_size);
+  void find_sizes(double least_size, const std::vector<char>* is_flat);
   void find_features(const std::vector<Index>& creases);
   bool is_fold(Index h) const;
   bool is_beside_fold(Index h) const;
@@ -155,22 +156,23 @@ private:
   std::vector<Vector3> tangents_;            // unit, by vertex on a feature; zero at corners
 };
 
-inline Mls_surface::Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_size)
+inline Mls_surface::Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_size,
+                                const std::vector<char>* is_flat)
   : surface_(&surface), faces_(surface.number_of_faces())
 {
-  find_sizes(least_size);
+  find_sizes(least_size, is_flat);
   find_features(creases);
   find_tangents();
   fit_sectors();
   find_rises();
 }
 
-inline void Mls_surface::find_sizes(double least_size)
+inline void Mls_surface::find_sizes(double least_size, const std::vector<char>* is_flat)
 {
   is_corner_.assign(surface_->number_of_vertices(), 0);
   sizes_.resize(faces_.size());
   for (Index f = 0; f < Index(faces_.size()); ++f) {
-    const double size = facet_size(*surface_, f);
+    const double size = is_flat != nullptr && (*is_flat)[f] ? 0. : facet_size(*surface_, f);
     sizes_[f] = float(size);
     if (!(size > least_size)) continue;
     curved_.push_back(f);

@@ -32,11 +32,14 @@ public:
   // A copy of a mesh that has no free slots.
   explicit Reference_surface(const Remeshing_mesh& mesh)
     : Corner_table(mesh), position_(mesh.positions()), unit_(mesh.unit())
-  {}
+  {
+    for (Index v = 0; v < Index(position_.size()); ++v)
+      if (mesh.is_pinched(v)) pinched_.push_back(v);
+  }
 
   // A copy with these edges constrained, each named by both of its half-edges.
   Reference_surface(const Reference_surface& other, const std::vector<Index>& constrained)
-    : Corner_table(other), position_(other.position_), unit_(other.unit_)
+    : Corner_table(other), position_(other.position_), pinched_(other.pinched_), unit_(other.unit_)
   {
     for (const Index h : constrained) faces_[h >> 2].edge_flags |= Remeshing_mesh::CONSTRAINED << (h & 3);
   }
@@ -46,6 +49,7 @@ public:
   std::size_t number_of_faces() const { return number_of_face_slots(); }
   std::size_t number_of_vertices() const { return position_.size(); }
   const Vector3& position(Index v) const { return position_[v]; }
+  bool is_pinched(Index v) const { return std::binary_search(pinched_.begin(), pinched_.end(), v); }
 
   // Twice the area times the unit normal of face f.
   Vector3 cross_product(Index f) const
@@ -114,6 +118,7 @@ private:
   const Tree& tree() const;
 
   std::vector<Vector3> position_;
+  std::vector<Index> pinched_;           // vertices that are one of several fans of the user's, sorted
   double unit_;
   // Built by the first query that needs it: warm starts, which are all but a few, do without.
   mutable std::once_flag tree_is_built_;

@@ -109,6 +109,7 @@ public:
   bool is_free(Index v) const { return state_[v].marks == 0; }
   bool is_border_vertex(Index v) const { return (state_[v].marks & ON_BORDER) != 0; }
   bool is_on_curve(Index v) const { return (state_[v].marks & (ON_BORDER | ON_FEATURE)) != 0; }
+  bool is_pinched(Index v) const { return (state_[v].marks & PINCHED) != 0; }
   bool is_locked(Index v) const { return (state_[v].marks & (LOCKED | HELD)) != 0; }
 
   // Whether v is on a curve and may move along it.
@@ -492,7 +493,7 @@ inline bool Remeshing_mesh::keeps_topology(Index h) const
   bool is_legal = true;
   for_each_neighbor(a, [&](Index u) {
     if (u == b) return;
-    is_legal &= (state_[u].marks & PINCHED) == 0;
+    is_legal &= !is_pinched(u);
     if (u != c && u != d) is_legal &= !may_meet_outside(b, u);
     for_each_neighbor(b, [&](Index w) { common += u == w; });
   });

@@ -14,11 +14,17 @@
 #include <vector>
 
 // A scene may hold a machine part beside something that has grown: all in all no CAD model, and the part's few edges go under among the
-// others. Each of its components that is one on its own keeps its features.
+// others. Each of its components that is one on its own keeps its features, and its facets.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
+
+struct Features_with_parts
+{
+  std::vector<Remeshing_mesh::Index> edges;      // one half-edge of each feature
+  std::vector<Remeshing_mesh::Index> faces;      // of the components that are CAD models, where the mesh as a whole is none
+};
 
 class Cad_parts
 {
@@ -29,12 +35,13 @@ public:
     : mesh_(mesh), face_in_part_(mesh.number_of_face_slots(), -1), vertex_in_part_(mesh.number_of_vertex_slots(), -1)
   {}
 
-  // One half-edge of each feature of the components that are CAD models and large enough; none where all faces hang together.
-  // `find(detector, lengths)` tells those of one, the target lengths by face being `lengths`; `length` is that of a Feature_detector.
+  // Those of the components that are CAD models and large enough; none where all faces hang together.
+  // `find(detector, lengths)` tells the features of one, the target lengths by face being `lengths`; details shorter than `length` or
+  // than the edges of the component are none.
   template <class Find>
-  std::vector<Index> features(double length, const std::vector<double>& lengths, const Find& find)
+  Features_with_parts find(double length, const std::vector<double>& lengths, const Find& find)
   {
-    std::vector<Index> result;
+    Features_with_parts result;
     for (Index first = 0; first < Index(face_in_part_.size()); ++first) {
       if (face_in_part_[first] >= 0) continue;
       const std::vector<Index> faces = component_of(first);
@@ -45,7 +52,8 @@ public:
       if (!is_large(part, *std::max_element(lengths_in_part.begin(), lengths_in_part.end()))) continue;
       Feature_detector detector(part, (std::max)(length, mean_edge_length(part)));
       if (!detector.kind().is_cad()) continue;
-      for (const Index h : find(detector, lengths_in_part)) result.push_back(4 * faces[h >> 2] + (h & 3));
+      for (const Index h : find(detector, lengths_in_part)) result.edges.push_back(4 * faces[h >> 2] + (h & 3));
+      result.faces.insert(result.faces.end(), faces.begin(), faces.end());
     }
     return result;
   }
@@ -110,21 +118,20 @@ private:
   std::vector<Index> face_in_part_, vertex_in_part_;     // by face, by vertex: its number in its component; -1: not looked at yet
 };
 
-// What `find(detector, lengths)` finds in the mesh of the detector, and, where that is no CAD model, in its components that are: one
-// half-edge of each edge, sorted.
+// What `find(detector, lengths)` finds in the mesh of the detector, and, where that is no CAD model, in its components that are, as if
+// each were alone; the edges are sorted.
 template <class Find>
-std::vector<Remeshing_mesh::Index> features_with_parts(const Remeshing_mesh& mesh, Feature_detector& detector, double length,
-                                                       const std::vector<double>& lengths, const Find& find)
+Features_with_parts features_with_parts(const Remeshing_mesh& mesh, Feature_detector& detector, double length,
+                                        const std::vector<double>& lengths, const Find& find)
 {
   using Index = Remeshing_mesh::Index;
-  std::vector<Index> result = find(detector, lengths);
-  if (!detector.kind().is_cad()) {
-    const std::vector<Index> of_parts = Cad_parts(mesh).features(length, lengths, find);
-    result.insert(result.end(), of_parts.begin(), of_parts.end());
-  }
-  for (Index& h : result) h = (std::min)(h, mesh.opposite(h));
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
+  std::vector<Index> edges = find(detector, lengths);
+  Features_with_parts result;
+  if (!detector.kind().is_cad()) result = Cad_parts(mesh).find(length, lengths, find);
+  result.edges.insert(result.edges.end(), edges.begin(), edges.end());
+  for (Index& h : result.edges) h = (std::min)(h, mesh.opposite(h));
+  std::sort(result.edges.begin(), result.edges.end());
+  result.edges.erase(std::unique(result.edges.begin(), result.edges.end()), result.edges.end());
   return result;
 }
 

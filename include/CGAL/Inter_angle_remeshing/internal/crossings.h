@@ -13,6 +13,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -86,14 +87,31 @@ bool lie_apart(const Surface& mesh, Corner_table::Index f, Corner_table::Index g
          std::all_of(b, b + 3, [&](Corner_table::Index v) { return is_corner(mesh.face_record(f), v) || is_beyond(v, -1); });
 }
 
-// A triangle without an area crosses nothing. Two that share a vertex cross where the edge of one that is opposite to it meets
-// the other one.
+// The corners of f and of g that are one vertex, or one of the user's, which has several fans of faces and here a vertex for each;
+// negative where none are, or are two that have no edge in common.
+template <class Surface>
+std::array<int, 2> common_corner(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
+{
+  const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
+  std::array<int, 2> result{-1, -1};
+  int pairs = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      if (a[i] == b[j]) return {i, j};
+      if (mesh.position(a[i]) != mesh.position(b[j]) || !mesh.is_pinched(a[i]) || !mesh.is_pinched(b[j])) continue;
+      result = {i, j};
+      ++pairs;
+    }
+  return pairs == 1 ? result : std::array<int, 2>{-1, -1};
+}
+
+// A triangle without an area crosses nothing. Two that have a corner in common cross where the edge of one that is opposite to it
+// meets the other one.
 template <class Surface>
 bool cross_each_other(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  const int shared = number_of_shared_vertices(mesh, f, g);
-  if (shared > 1 || lies_beside(mesh, f, g) || lies_beside(mesh, g, f) || lie_apart(mesh, f, g)) return false;
+  if (number_of_shared_vertices(mesh, f, g) > 1 || lies_beside(mesh, f, g) || lies_beside(mesh, g, f) || lie_apart(mesh, f, g)) return false;
   const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
   const auto point = [&](Corner_table::Index v) {
     const Vector3& p = mesh.position(v);
@@ -101,8 +119,8 @@ bool cross_each_other(const Surface& mesh, Corner_table::Index f, Corner_table::
   };
   const Kernel::Triangle_3 s(point(a[0]), point(a[1]), point(a[2])), t(point(b[0]), point(b[1]), point(b[2]));
   if (s.is_degenerate() || t.is_degenerate()) return false;
-  if (shared == 0) return CGAL::do_intersect(s, t);
-  const int i = int(std::find_first_of(a, a + 3, b, b + 3) - a), j = int(std::find(b, b + 3, a[i]) - b);
+  const auto [i, j] = common_corner(mesh, f, g);
+  if (i < 0) return CGAL::do_intersect(s, t);
   return CGAL::do_intersect(Kernel::Segment_3(s[i + 1], s[i + 2]), t) || CGAL::do_intersect(Kernel::Segment_3(t[j + 1], t[j + 2]), s);
 }
 

@@ -22,19 +22,18 @@ std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh)
 {
   const double length = mean_edge_length(mesh);
   Feature_detector detector(mesh, length);
-  return features_with_parts(mesh, detector, length, std::vector<double>(mesh.number_of_face_slots(), length),
-                             [](Feature_detector& d, const std::vector<double>&) { return d.features(); });
+  return features_with_parts(mesh, detector, 0, std::vector<double>(mesh.number_of_face_slots(), length),
+                             [](Feature_detector& d, const std::vector<double>&) { return d.features(); }).edges;
 }
 
 CGAL_INTER_ANGLE_REMESHING_INLINE
 std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, double length, double fillet_width,
                                                  double relief_density)
 {
-  const double detail = (std::max)(length, mean_edge_length(mesh));
-  Feature_detector detector(mesh, detail);
-  return features_with_parts(mesh, detector, detail, std::vector<double>(mesh.number_of_face_slots(), length),
+  Feature_detector detector(mesh, (std::max)(length, mean_edge_length(mesh)));
+  return features_with_parts(mesh, detector, length, std::vector<double>(mesh.number_of_face_slots(), length),
                              [&](Feature_detector& d, const std::vector<double>& lengths) {
-    return d.features_for(lengths, fillet_width, relief_density).edges; });
+    return d.features_for(lengths, fillet_width, relief_density).edges; }).edges;
 }
 
 } // namespace internal

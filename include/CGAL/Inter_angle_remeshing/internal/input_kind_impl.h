@@ -42,7 +42,7 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
                                   double crest_width, const Recipe& recipe, const Constraint_settings& settings)
 {
   using Features = Remeshing_report::Features;
-  Input_kind kind{false, false, false, Features::none, features_of(mesh).size(), 0, {}};
+  Input_kind kind{false, false, false, Features::none, features_of(mesh).size(), 0, {}, {}};
   if (kind.feature_edges > 0) kind.features = Features::marked;
   if (!keeps_surface || recipe.surface == Recipe::Surface::paper) return kind;
   const double detail = (std::max)(target.length, mean_length);
@@ -54,16 +54,17 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
   std::vector<double> lengths(mesh.number_of_face_slots());
   for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(lengths.size()); ++f)
     lengths[f] = target.length * target.sizing.part_of_face(mesh.face_record(f).source);
-  if (kind.searches_features) {
-    const auto find = [&](Feature_detector& of_part, const std::vector<double>& lengths_there) {
-      Found_features found = of_part.features_for(lengths_there, recipe.fillet_width, recipe.relief_density);
-      if (&of_part == &detector) kind.rounded_edges = std::move(found.rounded);
-      return found.edges;
-    };
-    const std::vector<Remeshing_mesh::Index> found = features_with_parts(mesh, detector, detail, lengths, find);
-    for (const Remeshing_mesh::Index h : found) mark_found_feature(mesh, h, settings);
-    if (!found.empty()) kind.features = kind.is_cad ? Features::all_sharp_edges : Features::outstanding_edges;
-  }
+  const Features_with_parts found = features_with_parts(mesh, detector, target.length, lengths,
+                                                        [&](Feature_detector& of_part, const std::vector<double>& lengths_there) {
+    if (!kind.searches_features) return std::vector<Remeshing_mesh::Index>();
+    Found_features there = of_part.features_for(lengths_there, recipe.fillet_width, recipe.relief_density);
+    if (&of_part == &detector) kind.rounded_edges = std::move(there.rounded);
+    return there.edges;
+  });
+  for (const Remeshing_mesh::Index h : found.edges) mark_found_feature(mesh, h, settings);
+  if (!found.edges.empty()) kind.features = kind.is_cad ? Features::all_sharp_edges : Features::outstanding_edges;
+  if (!found.faces.empty()) kind.is_in_cad_part.resize(mesh.number_of_face_slots());
+  for (const Remeshing_mesh::Index f : found.faces) kind.is_in_cad_part[mesh.face_record(f).source] = 1;
   const std::vector<Remeshing_mesh::Index> features = features_of(mesh);
   kind.feature_edges = features.size();
   mark_crests(mesh, detector.crests(features, std::move(lengths), crest_width));
