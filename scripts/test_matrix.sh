@@ -91,8 +91,11 @@ compile() {
   "$compiler" "-std=c++$standard" "${options[@]}" "-DCGAL_DATA_DIR=\"$data\"" -I "$root/include" "${system[@]}" "$@"
 }
 
-# compile_models COMPILER STANDARD INCLUDE: what the tests share, as objects; a test that needs one that is missing does not link.
+# compile_models COMPILER STANDARD INCLUDE: what some tests share, as objects; a test that needs one that is missing does not link.
 compile_models() {
+  local sources=()
+  read -r -d '' -a sources < <(for test in $tests; do echo "$tests_folder/$test.cpp"; done) || true
+  grep -q -e invariants.h -e models.h "${sources[@]}" || return 0
   local model object
   for model in invariants models; do
     object=$(name_of "$@" "$model").o

@@ -33,15 +33,6 @@ struct Far_spot
   std::optional<Vector3> place;          // on the mesh, where the spot is one of its faces that is far from the surface
 };
 
-// Centre, middles of the edges, and corners of a face.
-constexpr double PLACES_ON_FACE[7][3] = {{1. / 3, 1. / 3, 1. / 3}, {.5, .5, 0}, {0, .5, .5}, {.5, 0, .5},
-                                         {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-inline Vector3 point_on_face(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, const double (&b)[3])
-{
-  const auto& v = mesh.face_record(f).vertex;
-  return b[0] * mesh.position(v[0]) + b[1] * mesh.position(v[1]) + b[2] * mesh.position(v[2]);
-}
-
 class Far_spot_finder
 {
   using Index = Remeshing_mesh::Index;

@@ -49,6 +49,9 @@ class Repairer
   static constexpr double NOTICEABLE = 0.02;
   // To unfold a face the mesh may withdraw so many times as far.
   static constexpr double UNFOLDING = 2;
+  // What an operation leaves is no farther from the surface, in target lengths, than this or than what was there: angles are not worth a
+  // face across the hole of a ring.
+  static constexpr double LONGEST_DISTANCE = 0.75;
 
 public:
   Repairer(Remeshing_context& context, std::size_t input_faces)
@@ -163,13 +166,14 @@ private:
     const auto is_better = [](const auto& a, const auto& b) { return a.first > b.first; };
     std::stable_sort(promising.begin(), promising.end(), is_better);
     promising.resize(n);
-    for (auto& p : promising) p.first = gain(p.second, SWEEPS, !is_crossing);
+    for (auto& p : promising) p.first = gain(p.second, SWEEPS, true);
     const auto best = std::min_element(promising.begin(), promising.end(), is_better);
     return best != promising.end() && best->first > 0 ? best->second : Operation();
   }
 
-  // How much less is bad after the operation and so many sweeps, if they leave no place that is asked for; all is undone.
-  double gain(const Operation& operation, int sweeps, bool keeps_places = false)
+  // How much less is bad after the operation and so many sweeps; all is undone. For one that may stay, nothing where the mesh withdraws
+  // from places, but for crossings, or strays from the surface.
+  double gain(const Operation& operation, int sweeps, bool may_stay = false)
   {
     const std::vector<Index> around = ball(mesh_, ends_and_apexes(mesh_, operation.halfedge), 1, marks_);
     if (around.size() > LARGEST_REGION) return 0;
@@ -180,9 +184,29 @@ private:
     descent_.sweep(moving, sweeps);
     const std::vector<Index> faces = faces_around(mesh_, moving, marks_);
     const double after = faults_.score(faces);
-    const bool pays = before - after > NOTICEABLE * before && !(keeps_places && leaves_places(around, faces));
+    const bool pays = before - after > NOTICEABLE * before &&
+                      !(may_stay && !is_at_crossing(fault_) && leaves_places(around, faces));
+    const double distance = pays && may_stay ? largest_distance(faces) : 0;
     snapshot_.restore(mesh_);
-    return pays ? before - after : 0;
+    const bool strays = distance > LONGEST_DISTANCE && distance > largest_distance(snapshot_.faces());
+    return pays && !strays ? before - after : 0;
+  }
+
+  // How far the centres and the middles of the edges of these faces are from the surface at most, in target lengths.
+  double largest_distance(const std::vector<Index>& faces) const
+  {
+    double result = 0;
+    if (!context_.projector.has_faces()) return result;
+    for (const Index f : faces) {
+      if (!mesh_.is_face(f)) continue;
+      const auto& corner = mesh_.face_record(f).vertex;
+      for (int k = 0; k < 4; ++k) {
+        const Vector3 p = point_on_face(mesh_, f, PLACES_ON_FACE[k]);
+        Index hint = mesh_.hint(corner[k % 3]);
+        result = (std::max)(result, length(context_.projector(p, hint) - p) / context_.length_at(corner[0]));
+      }
+    }
+    return result;
   }
 
   // Whether the mesh, of which these faces are new, has withdrawn too far from places of vertices that were around.
