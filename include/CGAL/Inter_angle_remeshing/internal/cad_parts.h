@@ -118,8 +118,8 @@ private:
   std::vector<Index> face_in_part_, vertex_in_part_;     // by face, by vertex: its number in its component; -1: not looked at yet
 };
 
-// What `find(detector, lengths)` finds in the mesh of the detector, and, where that is no CAD model, in its components that are, as if
-// each were alone; the edges are sorted.
+// What `find(detector, lengths)` finds in the mesh of the detector, and, where that is no CAD model, in each of its components that is
+// one, alone, beside the former; the edges are sorted.
 template <class Find>
 Features_with_parts features_with_parts(const Remeshing_mesh& mesh, Feature_detector& detector, double length,
                                         const std::vector<double>& lengths, const Find& find)

@@ -111,7 +111,8 @@ template <class Surface>
 bool cross_each_other(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  if (number_of_shared_vertices(mesh, f, g) > 1 || lies_beside(mesh, f, g) || lies_beside(mesh, g, f) || lie_apart(mesh, f, g)) return false;
+  if (number_of_shared_vertices(mesh, f, g) > 1 || lies_beside(mesh, f, g) || lies_beside(mesh, g, f) || lie_apart(mesh, f, g))
+    return false;
   const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
   const auto point = [&](Corner_table::Index v) {
     const Vector3& p = mesh.position(v);
