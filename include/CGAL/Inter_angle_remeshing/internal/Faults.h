@@ -37,6 +37,8 @@ class Faults
   using Index = Remeshing_mesh::Index;
 
   static constexpr double TOUCH = 0.05;      // degrees that every bad face counts more
+  // One face that is far out of its band is worse than many that are not; but no angle is worth a crossing.
+  static constexpr double CUBED = 0.2;
   // What two faces that cross each other count, and what the length of the segment in which they do, in target lengths; less where
   // the surface crosses itself: angles are not given up for what cannot be parted.
   static constexpr double CROSSING = 1000, CROSSING_LENGTH = 6000, INHERITED_CROSSING = 100;
@@ -148,7 +150,11 @@ private:
   };
 
   double violation(Index f) const { return internal::violation(context_, bands_, f); }
-  static double score_of_violation(double v) { return v > 0 ? TOUCH + v + v * v : 0; }
+  double score_of_violation(double v) const
+  {
+    if (!(v > 0)) return 0;
+    return TOUCH + v + v * v + (finds_crossings_ ? 0 : CUBED * v * v * v);
+  }
 
   bool is_inherited(Index f) const { return crossings_of_surface_->are_near(context_, f); }
   double crossing_length_in_targets(Index f, Index g) const

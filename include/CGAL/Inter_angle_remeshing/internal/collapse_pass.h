@@ -143,7 +143,7 @@ inline bool keeps_faces_at_curves(const Remeshing_mesh& mesh, Remeshing_mesh::In
                is_d = will_be_on_curve(d, mesh.is_on_curve_edge(mesh.prev(k)));
     return !(is_c && is_d && is_wide(q, r, s)) && !(is_link && ((is_c && is_wide(r, q, s)) || (is_d && is_wide(s, q, r))));
   });
-  return keeps_corners && !(after < COLLAPSED_SQUARED_SINE && after < before);
+  return keeps_corners && !(after < COLLAPSED_SQUARED_SINE && is_thinner(after, before));
 }
 
 // Whether no face turns by more than 26 degrees when the source of h is merged into its target.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 // When an edge on a curve is too long, too short, or too far from the curve; and when a vertex may leave the curve.
@@ -26,7 +27,10 @@ constexpr double SHORTEST_BENT_EDGE = 0.6;
 // Where a face has all its vertices on curves, in a strip or a thin wall, its edge on one of these should be no longer
 // than this many times its height, nor need it be shorter than this part of the target length. Strips that are thinner than
 // this part of it are beyond help.
-constexpr double STRIP_ASPECT = 2, SHORTEST_IN_STRIP = 0.3, THINNEST_STRIP = 0.05;
+constexpr double STRIP_ASPECT = 2, SHORTEST_IN_STRIP = 0.2, THINNEST_STRIP = 0.05;
+
+// Two curves that meet at less than 30 degrees: the cosine.
+constexpr double ACUTE_CORNER_COSINE = 0.866025403784439;
 
 // The target length of a curve edge.
 inline double target_on_curve(const Remeshing_context& context, Remeshing_mesh::Index h)
@@ -45,6 +49,32 @@ inline double target_on_curve(const Remeshing_context& context, Remeshing_mesh::
     target = (std::min)(target, (std::max)(STRIP_ASPECT * height, SHORTEST_IN_STRIP * wanted));
   }
   return target;
+}
+
+// Whether a face beside the edge of h has another edge on a curve, and an acute angle between the two, which no remesher can change. The
+// longer these edges, the wider is what lies behind the face.
+inline bool is_at_acute_corner(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  for (const Remeshing_mesh::Index side : {h, mesh.opposite(h)}) {
+    if (side < 0) continue;
+    const Vector3 &a = mesh.position(mesh.origin(side)), &b = mesh.position(mesh.target(side)), &c = mesh.position(mesh.apex(side));
+    if ((mesh.is_on_curve_edge(mesh.next(side)) && corner_cosine(b, a, c) > ACUTE_CORNER_COSINE) ||
+        (mesh.is_on_curve_edge(mesh.prev(side)) && corner_cosine(a, b, c) > ACUTE_CORNER_COSINE)) return true;
+  }
+  return false;
+}
+
+// The target length of the edge that two of a curve become: at an acute corner that of the one there, not of the strip behind it.
+inline double target_of_merged_edge(const Remeshing_context& context, Remeshing_mesh::Index h, Remeshing_mesh::Index beyond)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Remeshing_mesh::Index k : {h, beyond}) {
+    const Remeshing_mesh::Index inside = k < 0 ? ~k : k;
+    const double target = target_on_curve(context, inside);
+    if (is_at_acute_corner(context.mesh, inside)) return target;
+    least = (std::min)(least, target);
+  }
+  return least;
 }
 
 // How far the curve is from the edge of h.
@@ -88,8 +118,7 @@ inline bool keeps_curve(const Remeshing_context& context, Remeshing_mesh::Index 
   const Index u = mesh.source(mesh.opposite(beyond));
   if (beyond == h || u == b) return false;
   const Vector3 &p = mesh.position(b), &q = mesh.position(u);
-  const auto target = [&](Index k) { return target_on_curve(context, k < 0 ? ~k : k); };
-  const double limit = context.recipe.split_ratio * (std::min)(target(h), target(beyond));
+  const double limit = context.recipe.split_ratio * target_of_merged_edge(context, h, beyond);
   if (squared_distance(p, q) > limit * limit) return false;
   const Remeshing_mesh::Curve_place removed = mesh.curve_place(h), rest = mesh.curve_place(beyond);
   return context.curves.deviation(removed.curve, removed.target, removed.origin + rest.target - rest.origin, p, q) <=

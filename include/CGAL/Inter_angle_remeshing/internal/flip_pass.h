@@ -41,14 +41,23 @@ inline bool makes_thin_angle_by_flip(const Remeshing_mesh& mesh, Remeshing_mesh:
     (std::min)(squared_sine_of_smallest_angle(a, d, c), squared_sine_of_smallest_angle(d, b, c)));
 }
 
+// Whether the two faces that a flip makes look the same way as those that it takes away.
+inline bool keeps_normals_by_flip(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh::Index o = mesh.opposite(h);
+  const Vector3 &a = mesh.position(mesh.origin(h)), &b = mesh.position(mesh.origin(o)), &c = mesh.position(mesh.apex(h)),
+                &d = mesh.position(mesh.apex(o));
+  const Vector3 sum = triangle_cross(a, b, c) + triangle_cross(b, a, d);
+  return is_cosine_at_least(triangle_cross(a, d, c), sum, FLIP_NORMAL_COSINE) &&
+         is_cosine_at_least(triangle_cross(d, b, c), sum, FLIP_NORMAL_COSINE);
+}
+
 inline bool is_flip_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
+  if (!keeps_normals_by_flip(mesh, h)) return false;
   const Remeshing_mesh::Index o = mesh.opposite(h);
   const Remeshing_mesh::Index v[4] = {mesh.origin(h), mesh.origin(o), mesh.apex(h), mesh.apex(o)};
   const Vector3 &a = mesh.position(v[0]), &b = mesh.position(v[1]), &c = mesh.position(v[2]), &d = mesh.position(v[3]);
-  const Vector3 sum = triangle_cross(a, b, c) + triangle_cross(b, a, d);
-  if (!is_cosine_at_least(triangle_cross(a, d, c), sum, FLIP_NORMAL_COSINE) ||
-      !is_cosine_at_least(triangle_cross(d, b, c), sum, FLIP_NORMAL_COSINE)) return false;
   if (std::none_of(v, v + 4, [&](Remeshing_mesh::Index u) { return mesh.is_on_curve(u); })) return true;
   // At an end the flip leaves one face where there were two; between two curve edges it may be too wide.
   const auto is_wide = [&](const Vector3& p, const Vector3& q, const Vector3& r, Remeshing_mesh::Index k) {

@@ -42,9 +42,9 @@ class Repair_operations
   static constexpr std::size_t VERTICES_AT_FIRST = 3, VERTICES_LATER = 12;
   // By how much a flip may raise the sum of the squared valence deviations.
   static constexpr int GAIN_AT_FIRST = 4, GAIN_LATER = 8;
-  // Squared lengths, in those of the target, up to which edges are collapsed and from which they are split here, where faces cross
-  // much shorter ones.
-  static constexpr double COLLAPSED = 1.1, SPLIT = 0.8, SPLIT_AT_CROSSING = 0.1;
+  // Squared lengths, in those of the target, up to which edges are collapsed and from which they are split here; much shorter ones where
+  // faces cross, and at curves, for thin strips between these.
+  static constexpr double COLLAPSED = 1.1, SPLIT = 0.8, SPLIT_AT_CROSSING = 0.1, SPLIT_AT_CURVE = 0.04;
   // What a collapse may do here: the square of the longest new edge, and how far from the new surface the vertex may lie.
   static constexpr double LONGEST = 3, TOLERANCE = 0.3;
 
@@ -65,11 +65,13 @@ public:
     std::vector<Repair_operation> result;
     if (is_at_crossing(fault) && context_.projector.has_faces())
       for (const Index v : centres) if (mesh_.is_free(v)) result.push_back({Kind::place, mesh_.first(v)});
-    const double shortest = is_at_crossing(fault) ? SPLIT_AT_CROSSING : SPLIT;
+    const double shortest_of_all = is_at_crossing(fault) ? SPLIT_AT_CROSSING : SPLIT;
     const int gain = is_first_round ? GAIN_AT_FIRST : GAIN_LATER;
     for (const Index h : edges_of_stars(centres)) {
       const double unit = CGAL::square(context_.length_at(mesh_.origin(h), mesh_.target(h)));
       const double l = mesh_.squared_edge_length(h);
+      const bool is_at_curve = mesh_.is_on_curve(mesh_.origin(h)) || mesh_.is_on_curve(mesh_.target(h));
+      const double shortest = is_at_curve ? SPLIT_AT_CURVE : shortest_of_all;
       if (!mesh_.is_on_curve_edge(h) && flip_gain(mesh_, h) <= gain) result.push_back({Kind::flip, h});
       if (l < COLLAPSED * unit) {
         result.push_back({Kind::collapse, h});
@@ -80,12 +82,14 @@ public:
     return result;
   }
 
+  // What becomes of angles, the trial tells.
   bool is_allowed(const Repair_operation& operation, Fault fault) const
   {
     const Index h = operation.halfedge;
     switch (operation.kind) {
     case Kind::flip:
-      return fault != Fault::angle ? mesh_.is_flip_legal(h) && context_.permits_flip(h, false) : is_flip_allowed(context_, h, false);
+      return mesh_.is_flip_legal(h) && context_.permits_flip(h, false) &&
+             (fault != Fault::angle || (keeps_normals_by_flip(mesh_, h) && !makes_fold_by_flip(context_, h)));
     case Kind::collapse:
       if (fault == Fault::fold && mesh_.is_free(mesh_.source(h))) return mesh_.is_collapse_legal(h) && context_.permits_collapse(h);
       return mesh_.valence(mesh_.source(h)) + mesh_.valence(mesh_.source(mesh_.opposite(h))) - 4 <= limits_.valence &&

@@ -36,8 +36,12 @@ inline double squared_sine_of_smallest_angle(const Vector3& a, const Vector3& b,
 // Two edges of a triangle that lie on curves make no larger angle than 100 degrees: nothing could mend it.
 constexpr double CURVE_CORNER_COSINE = -0.17364817766693;
 
+// Whether a squared sine is smaller than it was by more than rounding: a vertex that slides towards a corner of the input leaves the angle
+// there as it is.
+inline bool is_thinner(double after, double before) { return after < (1 - 1e-9) * before; }
+
 // By the squared sines of the smallest angle before and after an operation.
-inline bool makes_thin_angle(double before, double after) { return after < THIN_SQUARED_SINE && after < before; }
+inline bool makes_thin_angle(double before, double after) { return after < THIN_SQUARED_SINE && is_thinner(after, before); }
 
 } // namespace internal
 } // namespace Inter_angle_remeshing
