@@ -698,6 +698,48 @@ void projectors_keep_to_their_patches()
   }
 }
 
+// A projector of the whole mesh does for a range what one of the range does: with the edges unmarked, vertices went around them and out of
+// the range.
+void projectors_keep_to_the_range()
+{
+  for(const auto& [name, factor] : std::vector<std::pair<std::string, double>>{{"joint", .15}, {"part", .3}})
+  {
+    const Mesh input = models::of_cgal(name);
+    const double length = factor * mean_edge_length(input);
+    const CGAL::Bbox_3 box = PMP::bbox(input);
+    const auto half = [&](const Mesh& m) {
+      std::vector<Face> range;
+      for(const Face f : m.faces())
+      {
+        double sum = 0;
+        for(const Vertex v : vertices_around_face(m.halfedge(f), m))
+          sum += m.point(v).x();
+        if(sum / 3 < (box.xmin() + box.xmax()) / 2)
+          range.push_back(f);
+      }
+      return range;
+    };
+    const auto unmarked = [](Mesh& m) { return m.add_property_map<Edge, bool>("e:unmarked", false).first; };
+    Mesh by_default = input, by_closest_point = input, by_mls = input;
+    const IAR::Closest_point_projector<Mesh> closest_point(input);
+    const IAR::MLS_projector<Mesh> mls(input);
+    IAR::isotropic_remeshing(half(by_default), length, by_default, parameters::edge_is_constrained_map(unmarked(by_default)));
+    IAR::isotropic_remeshing(half(by_closest_point), length, by_closest_point,
+                             parameters::edge_is_constrained_map(unmarked(by_closest_point))
+                               .projection_functor(std::cref(closest_point)));
+    CHECK_MESSAGE(meshes::Picture<Mesh>(by_default) == meshes::Picture<Mesh>(by_closest_point), name);
+    // Where edges are marked, the MLS surface has them, too.
+    const auto marked = [&](Mesh& m) {
+      Edge_map map = unmarked(m);
+      PMP::detect_sharp_edges(m, 40, map);
+      return map;
+    };
+    IAR::isotropic_remeshing(half(by_mls), length, by_mls, parameters::edge_is_constrained_map(marked(by_mls))
+                                                             .projection_functor(std::cref(mls)));
+    CHECK_MESSAGE(topology(by_mls) == topology(input) && !does_self_intersect(by_mls), name);
+  }
+}
+
 // --- curves of every shape ---------------------------------------------------------------------------------------
 
 // Marks edges of the square of 20 by 20 cells, by their ends in cells.
@@ -2064,6 +2106,7 @@ int main()
   corners_stay();
   rims_stay_closed_and_become_round();
   projectors_keep_to_their_patches();
+  projectors_keep_to_the_range();
   curves_may_end_meet_and_run_side_by_side();
   a_cusp_of_the_border_stays();
   small_holes_and_thin_walls_survive();

@@ -181,6 +181,13 @@ void lengths_that_make_too_many_faces_are_refused()
   // a needle has hardly an area, but edges that would be split a thousand million times
   Mesh needle = to_mesh<Mesh>(Soup{{{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1e-12, 0}}}, {{{0, 1, 2}}}});
   check_refused(needle, "so small", [&](Mesh& g) { IAR::isotropic_remeshing(1e-9, g); });
+  // So far from the origin coordinates are .125 apart, and the ends of such an edge are the same point as often as not.
+  Mesh far = to_mesh<Mesh>(sphere(2).moved(1e15, 0, 0));
+  check_refused(far, "double precision", [](Mesh& g) { IAR::isotropic_remeshing(.3, g); });
+  check_refused(far, "double precision", [](Mesh& g) { IAR::isotropic_remeshing(IAR::Face_count(1000), g); });
+  Mesh nearer = to_mesh<Mesh>(sphere(2).moved(1e13, 0, 0));
+  IAR::isotropic_remeshing(.3, nearer);
+  CHECK(CGAL::is_valid_polygon_mesh(nearer));
 }
 
 void no_faces_are_refused_as_a_wish()

@@ -28,8 +28,8 @@ namespace Inter_angle_remeshing {
 
 The projector holds a const copy of the surface as it is at construction; the mesh may change afterwards. It is handed
 over to `isotropic_remeshing()` by `projection_functor(std::ref(projector))`, where every query starts from the face
-that the vertex was projected onto last; if all of the mesh as it was is remeshed, with its faces in the same order, it
-is known for the input: vertices stay in their patches between features, and large distances are lowered. It can be used
+that the vertex was projected onto last. If what is remeshed is the mesh as it was, or a range of its faces, it is known for the
+input: vertices stay in the range, and in their patches between features, and large distances are lowered. It can be used
 alone, too, and as the projection functor of `CGAL::Polygon_mesh_processing::isotropic_remeshing()`, which must then run
 on the mesh that the projector was built from, at its place in memory: a point map of `CGAL::Surface_mesh` is void once
 another mesh is assigned to it.

@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
 #include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
 #include <CGAL/Inter_angle_remeshing/internal/Default_surface.h>
+#include <CGAL/Inter_angle_remeshing/internal/Part_of_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
 #include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
 #include <CGAL/Inter_angle_remeshing/internal/input_kind.h>
@@ -31,58 +32,51 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// A surface that the user handed over. Where it is a copy of the input, walks over it keep to the patches of the run, and
-// begin where the vertices are.
+// A surface that the user handed over. Where the mesh is a part of it, as it is or in a range of its faces, walks keep to that part and to the
+// patches of the run, and begin where the vertices are.
 class Handed_surface
 {
 public:
   using Index = Remeshing_mesh::Index;
 
-  Handed_surface(const Reference_surface& surface, const Remeshing_mesh& mesh)
-    : surface_(surface), factor_(mesh.unit() / surface.unit())
+  // `mls`, if there is one, smooths the surface and knows no other. Without one a copy of the part will do.
+  Handed_surface(const Reference_surface& surface, const Mls_surface* mls, Remeshing_mesh& mesh)
+    : projection_{&surface, mesh.unit() / surface.unit(), mls}
   {
-    if (mesh.number_of_face_slots() != surface.number_of_faces()) return;
-    face_of_source_ = faces_by_source(surface);
-    if (!is_copy_of(mesh)) { face_of_source_.clear(); return; }
+    const Part_of_surface part(mesh, surface, projection_.factor);
+    if (!part.is_part()) { find_hints(mesh, projection_); return; }
+    if (mls == nullptr && !part.is_whole()) {
+      copy_.emplace(mesh);
+      face_of_source_ = faces_by_source(*copy_);
+      projection_ = Projection{&*copy_};
+      projection_.face_of_source = &face_of_source_;
+      start_where_vertices_are(mesh);
+      return;
+    }
     std::vector<Index> barriers;
-    mesh.for_each_halfedge([&](Index h) { if (mesh.is_constrained(h)) barriers.push_back(halfedge_of(mesh, h)); });
-    if (!barriers.empty()) patched_.emplace(surface, barriers);
+    mesh.for_each_halfedge([&](Index h) {
+      const Index k = part.halfedge(h);
+      if (mesh.is_constrained(h) || (mesh.is_border(h) && !surface.is_border(k))) barriers.push_back(k);
+    });
+    if (!barriers.empty()) {
+      copy_.emplace(surface, barriers);
+      projection_.surface = &*copy_;
+    }
+    if (part.is_numbered_alike()) {
+      face_of_source_ = faces_by_source(surface);
+      projection_.face_of_source = &face_of_source_;
+    }
+    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) mesh.hint(v) = surface.face(part.halfedge(mesh.first(v)));
   }
+  Handed_surface(const Handed_surface&) = delete;            // the projection refers to what it holds
+  Handed_surface& operator=(const Handed_surface&) = delete;
 
-  Projection projection() const
-  {
-    Projection result{patched_ ? &*patched_ : &surface_, factor_};
-    if (!face_of_source_.empty()) result.face_of_source = &face_of_source_;
-    return result;
-  }
-
-  void start(Remeshing_mesh& mesh) const
-  {
-    if (face_of_source_.empty()) { find_hints(mesh, projection()); return; }
-    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v)
-      mesh.hint(v) = surface_.face(halfedge_of(mesh, mesh.first(v)));
-  }
+  const Projection& projection() const { return projection_; }
 
 private:
-  // The half-edge of the surface that is the mesh's.
-  Index halfedge_of(const Remeshing_mesh& mesh, Index h) const
-  {
-    return 4 * face_of_source_[mesh.face_record(mesh.face(h)).source] + mesh.corner(h);
-  }
-  bool is_copy_of(const Remeshing_mesh& mesh) const
-  {
-    bool result = true;
-    mesh.for_each_halfedge([&](Index h) {
-      const Index v = surface_.origin(halfedge_of(mesh, h));
-      result = result && factor_ * mesh.position(mesh.origin(h)) == surface_.position(v);
-    });
-    return result;
-  }
-
-  const Reference_surface& surface_;
-  double factor_;                              // from the units of the run to those of the surface
-  std::optional<Reference_surface> patched_;
-  std::vector<Index> face_of_source_;          // empty: the surface is another one
+  Projection projection_;
+  std::optional<Reference_surface> copy_;
+  std::vector<Index> face_of_source_;
 };
 
 // Runs the remesher with a functor of the user's.
@@ -124,11 +118,9 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
     if (target.faces > 0) target.length *= std::sqrt(surface.area_ratio());
     return run(surface.projection());
   } else if constexpr (Has_reference_surface<Functor>::value) {
-    const Handed_surface surface(functor.reference_surface(), mesh);
-    surface.start(mesh);
-    Projection projection = surface.projection();
-    if constexpr (Has_mls_surface<Functor>::value) projection.mls = &functor.mls_surface();
-    return run(projection);
+    const Mls_surface* mls = nullptr;
+    if constexpr (Has_mls_surface<Functor>::value) mls = &functor.mls_surface();
+    return run(Handed_surface(functor.reference_surface(), mls, mesh).projection());
   } else if constexpr (std::is_invocable_r<Point_3, const Functor&, const Point_3&>::value)
     return run_with_rule(mesh.unit(), true, [&](const Vector3& p) {
       return to_vector3(Point_3(functor(Point_3(p.x, p.y, p.z)))); }, run);

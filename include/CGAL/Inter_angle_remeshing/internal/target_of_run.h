@@ -60,16 +60,29 @@ struct Is_scaled_field : std::false_type {};
 template <class SizingField>
 struct Is_scaled_field<Scaled_sizing_field<SizingField>> : std::true_type {};
 
-// A length so small that the result could not be indexed is refused, as is what is no length. Needles have edges to
-// split, though hardly an area. `in_users_units` is what the user learns.
-inline void check_length(double length, double in_users_units, double area, double total_edge_length)
+// The distance between doubles as large as the largest coordinate.
+inline double resolution_of_coordinates(const Remeshing_mesh& mesh)
 {
+  double largest = 0;
+  for (const Vector3& p : mesh.positions()) largest = (std::max)({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return std::numeric_limits<double>::epsilon() * largest;
+}
+
+// A length so small that the result could not be indexed is refused, as is what is no length, or one so near to the distance of coordinates
+// that can be told apart that the points of an edge could not. Needles have edges to split, though hardly an area. `in_users_units` is what
+// the user learns.
+inline void check_length(double length, double in_users_units, double area, double total_edge_length, double resolution)
+{
+  constexpr double FEWEST_STEPS = 4;
   if (!(length >= 0) || !std::isfinite(length))
     refuse(REMESHING, "the target edge length is " + to_text(in_users_units) + "; it must be finite and not negative");
   const double faces = (std::max)(4 * area / (std::sqrt(3.) * length * length), total_edge_length / length);
   if (length > 0 && faces > MAXIMUM_NUMBER_OF_FACES)
     refuse(REMESHING, "the target edge length is " + to_text(in_users_units) + ", so small that about " + to_text(faces) +
                       " faces were needed; at most " + to_text(MAXIMUM_NUMBER_OF_FACES) + " can be indexed");
+  if (length > 0 && length < FEWEST_STEPS * resolution)
+    refuse(REMESHING, "the target edge length is " + to_text(in_users_units) + ", which is less than " + to_text(FEWEST_STEPS) +
+                      " times the distance between numbers in double precision as large as the coordinates");
 }
 
 inline void check_face_count(const Face_count& count)
@@ -81,7 +94,7 @@ inline void check_face_count(const Face_count& count)
 template <class Length>
 void check_length_value(const Length& length)
 {
-  if constexpr (Is_number<Length>::value) check_length(number_to_double(length), number_to_double(length), 0, 0);
+  if constexpr (Is_number<Length>::value) check_length(number_to_double(length), number_to_double(length), 0, 0, 0);
   else if constexpr (std::is_same<Length, Face_count>::value) check_face_count(length);
   else if constexpr (Is_scaled_field<Length>::value) check_face_count(length.count);
   else (void)length;
@@ -138,7 +151,7 @@ Target read_target(const Length& length, Exchange& exchange, TriangleMesh& tmesh
                    double total_edge_length)
 {
   const Remeshing_mesh& mesh = exchange.mesh();
-  const double range_area = area(mesh);
+  const double range_area = area(mesh), resolution = resolution_of_coordinates(mesh);
   Target result{0, 0, Sizing()};
   if constexpr (std::is_same<Length, Face_count>::value)
     result = {length_for_faces(length, range_area), length.value, Sizing()};
@@ -149,11 +162,11 @@ Target read_target(const Length& length, Exchange& exchange, TriangleMesh& tmesh
   } else if constexpr (Is_number<Length>::value) {
     const double wanted = number_to_double(length);
     result.length = wanted > 0 && std::isfinite(wanted) ? in_range_of_double(wanted / mesh.unit()) : wanted;
-    check_length(result.length, wanted, range_area, total_edge_length);
+    check_length(result.length, wanted, range_area, total_edge_length, resolution);
     return result;
   } else
     result = read_field(referred(length), false, exchange, tmesh, vpm);
-  check_length(result.length, mesh.unit() * result.length, range_area, total_edge_length);
+  check_length(result.length, mesh.unit() * result.length, range_area, total_edge_length, resolution);
   return result;
 }
 
