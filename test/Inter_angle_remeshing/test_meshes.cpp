@@ -524,7 +524,7 @@ void small_crossings_of_the_input_are_parted()
     crossing += report.crossing_faces;
     crossing_without += number_of_crossing_faces(without);
   }
-  CHECK_MESSAGE(3 * crossing < crossing_without || meshes::is_small_run(), crossing << " of " << crossing_without);
+  CHECK_MESSAGE(5 * crossing < 2 * crossing_without || meshes::is_small_run(), crossing << " of " << crossing_without);
 }
 
 // Hundreds of boxes, side by side: each side lies on another one, and at a coarse target each face has thousands near it. Nothing can

@@ -65,12 +65,14 @@ public:
       if (component.size() < least_edges && length_of(component) < least_length * length_) drop(component);
   }
 
-  // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet. Those of animals and
-  // scans are loose, jagged, and a tangle. What leads to a free end is dropped.
+  // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet; those of a part that was
+  // remeshed coarsely again and again bend more often. Those of animals and scans are loose, jagged, and a tangle. What leads to a free end
+  // is dropped.
   bool is_network()
   {
     const Network_shape shape = look_at_network();
-    return shape.is_network && double(shape.bent) <= LARGEST_BENT_SHARE * double(shape.inner);
+    return shape.is_network && (double(shape.bent) <= LARGEST_BENT_SHARE * double(shape.inner) ||
+                                double(shape.bent + shape.others) <= LARGEST_UNEVEN_SHARE * double(shape.inner + shape.others));
   }
   // The same where curves may bend, as along fillets: paths of edges join them where they meet.
   bool is_bent_network() { return look_at_network().is_network; }
@@ -112,7 +114,7 @@ private:
   struct Network_shape
   {
     bool is_network;
-    std::size_t inner, bent;             // vertices of two edges, and those of them where these turn
+    std::size_t inner, bent, others;     // vertices of two edges, those of them where these turn, and all others
   };
 
   Network_shape look_at_network()
@@ -126,7 +128,7 @@ private:
       bent += degree(v) == 2 && bends(v);
     }
     return {length_left() >= LEAST_NETWORK_SHARE * length_of_all && inner >= LEAST_EDGES &&
-            double(others) <= LARGEST_MEETING_SHARE * double(inner + others), inner, bent};
+            double(others) <= LARGEST_MEETING_SHARE * double(inner + others), inner, bent, others};
   }
 
   struct Edge
@@ -148,7 +150,8 @@ private:
   static constexpr double DANGLING_LENGTH = 4, LEAST_COMPONENT = 5, LENGTH_A_FREE_END = 40;
   static constexpr std::size_t LEAST_EDGES = 12;       // the ring of fewer turns by 30 degrees at each
   static constexpr double LEAST_STRONG_SHARE = 0.5, LARGEST_BAD_SHARE = 0.25;
-  static constexpr double LEAST_NETWORK_SHARE = 0.7, LARGEST_BENT_SHARE = 0.2, LARGEST_MEETING_SHARE = 0.4;
+  static constexpr double LEAST_NETWORK_SHARE = 0.7, LARGEST_BENT_SHARE = 0.2, LARGEST_MEETING_SHARE = 0.4,
+                          LARGEST_UNEVEN_SHARE = 0.33;
   static constexpr double PARALLEL_DISTANCE = 0.35, PARALLEL_SHARE = 0.25;
   static constexpr double ALONG = 3;                   // so many distances apart along it, parts of a chain count as two
   static constexpr double JUNCTION_RADIUS = 1.5;       // in such distances, within which chains that meet are near each other

@@ -96,8 +96,9 @@ private:
   // How far from the middle an edge may be, as a part of the turn.
   static constexpr double LARGEST_IMBALANCE = 0.25;
   // Beside a crest, as far from its middle as it is wide, the surface turns by no more than so many degrees. Its middle is bent by this
-  // part of the mean at least, the chord between the unit normals over the mean altitude of the faces taken for the bend.
-  static constexpr double MOST_TURN_BESIDE_CREST = 30, LEAST_BEND = 0.5;
+  // part of the mean at least, the chord between the unit normals over the mean altitude of the faces taken for the bend, or is an edge of
+  // so many degrees, as the rim of a plate whose sharp edges are not marked.
+  static constexpr double MOST_TURN_BESIDE_CREST = 30, LEAST_BEND = 0.5, SHARP = 60;
   // In target lengths: chains, closed ones, and what each end takes that leads nowhere.
   static constexpr double LEAST_CHAIN = 1, LEAST_LOOP = 3, LENGTH_A_FREE_END = 4, CREST_LENGTH_A_FREE_END = 2;
   static constexpr int MOST_STEPS = 200;
@@ -243,9 +244,9 @@ inline double Rounded_edge_finder::imbalance_on_crest(Index h, double width)
 {
   constexpr double none = std::numeric_limits<double>::infinity();
   const double reach = width * target_length(h);
-  if (!is_bent(h, LEAST_BEND * LEAST_TURN_BACK * (CGAL_PI / 180) / reach)) return none;
   const std::array<Index, 2> sides = {h, mesh_.opposite(h)};
   const double own = turn(normal(h), normal(sides[1]));
+  if (own < SHARP && !is_bent(h, LEAST_BEND * LEAST_TURN_BACK * (CGAL_PI / 180) / reach)) return none;
   std::array<Vector3, 2> at_foot;
   std::array<double, 2> turns;
   for (const int k : {0, 1}) {
