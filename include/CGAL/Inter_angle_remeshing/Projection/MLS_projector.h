@@ -38,8 +38,8 @@ within another 0.3 of these of P, so that a result is never further than 0.45 me
 
 The projector holds const copies; the mesh may change afterwards. It is handed over to `isotropic_remeshing()` by
 `projection_functor(std::ref(projector))`, where every query starts from the face that the vertex was projected onto
-last, and, if that is this mesh as it was or a range of its faces, vertices stay in the range and in their patches. It can be used alone, too,
-and as the projection functor of
+last, and, if that is this mesh as it was or a range of its faces, vertices stay in the range and in their patches. It can be
+used alone, too, and as the projection functor of
 `CGAL::Polygon_mesh_processing::isotropic_remeshing()`, which must then run on the mesh that the projector was built
 from, at its place in memory.
 

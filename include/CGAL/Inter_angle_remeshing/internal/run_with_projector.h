@@ -32,8 +32,8 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// A surface that the user handed over. Where the mesh is a part of it, as it is or in a range of its faces, walks keep to that part and to the
-// patches of the run, and begin where the vertices are.
+// A surface that the user handed over. Where the mesh is a part of it, all of it or a range of its faces, walks keep to that part and to
+// the patches of the run, and begin where the vertices are.
 class Handed_surface
 {
 public:
