@@ -1838,6 +1838,8 @@ void coarse_models_keep_their_creases()
   using Case = std::pair<const char*, std::size_t>;
   std::size_t runs = 0, crossing_runs = 0, out_with = 0, out_without = 0;
   double distance_with = 0, distance_without = 0;
+  IAR::Recipe no_crests;                       // they would hold creases at thin parts, too
+  no_crests.crest_width = 0;
   for(const auto& [name, coarse] : {Case{"triceratops", 150}, {"triceratops", 200}, {"triceratops", 300}, {"dino", 200}, {"dino", 300},
                                     {"dino", 400}, {"elephant", 300}, {"elephant", 400}, {"camel", 300}, {"camel", 400}})
   {
@@ -1856,7 +1858,8 @@ void coarse_models_keep_their_creases()
     CHECK_MESSAGE(report.features == Features::outstanding_edges && report.feature_edges > 20,
                   name << ": " << report.feature_edges);
     CHECK_MESSAGE(report.number_of_faces_out_of_band < 10, name << ": " << report.number_of_faces_out_of_band);
-    const auto rounded = IAR::isotropic_remeshing(IAR::Face_count(fine), without, parameters::sharpness_angle(180));
+    const auto rounded = IAR::isotropic_remeshing(IAR::Face_count(fine), without,
+                                                  IAR::recipe(no_crests, parameters::sharpness_angle(180)));
     distance_with += IAR::surface_distance(m, with).relative_mean();
     distance_without += IAR::surface_distance(m, without).relative_mean();
     ++runs;
@@ -1950,6 +1953,27 @@ void rims_of_thin_plates_stay_unmarked()
       CHECK(std::none_of(m.edges().begin(), m.edges().end(), [&](Edge e) { return is_marked[e]; }));
       const double distance = IAR::surface_distance(input, m).hausdorff();
       CHECK_MESSAGE(distance < .5 * length, thickness << " at " << length << ": " << distance / length);
+
+      // Where a third of it is marked, it is a feature there and nowhere else.
+      Mesh partly = input;
+      const Edge_map map = partly.add_property_map<Edge, bool>("e:marked", false).first;
+      const auto marked_length = [&]() {
+        double sum = 0;
+        for(const Edge e : partly.edges())
+          sum += map[e] ? PMP::edge_length(e, partly) : 0.;
+        return sum;
+      };
+      for(const Edge e : partly.edges())
+      {
+        const Point &p = partly.point(partly.vertex(e, 0)), &q = partly.point(partly.vertex(e, 1));
+        const auto is_at_rim = [](const Point& x) { return x.z() > 0 && x.x() > .4 && x.x() * x.x() + x.y() * x.y() > .99; };
+        map[e] = is_at_rim(p) && is_at_rim(q);
+      }
+      const double before = marked_length();
+      IAR::isotropic_remeshing(faces(partly), length, partly, parameters::edge_is_constrained_map(map));
+      partly.collect_garbage();
+      CHECK(before > 1.5 && topology(partly) == topology(input));
+      CHECK_MESSAGE(std::abs(marked_length() - before) < .02 * before, thickness << " at " << length << ": " << marked_length() - before);
     }
   }
 }

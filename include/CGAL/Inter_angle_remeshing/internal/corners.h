@@ -107,7 +107,14 @@ inline double cosine_of_turn(const Vector3& arm, const Vector3& other_arm)
   return product > 0 ? -dot(arm, other_arm) / product : 1.;
 }
 
-// The corners, by vertex: where curves end or meet, where a constrained part of the border begins, where a curve turns, and what is
+// What the edge of h is, beside one of a curve: constrained, by the user or because it was found, or for the iterations alone.
+inline unsigned curve_kind(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  return unsigned(mesh.is_constrained(h)) + unsigned(mesh.has_flag(h, Remeshing_mesh::FOUND)) +
+         unsigned(mesh.has_flag(h, Remeshing_mesh::PASSING));
+}
+
+// The corners, by vertex: where curves end or meet, where one begins to be another kind of edge, where a curve turns, and what is
 // locked. Of several vertices at a turn that lie in the same place, one is a corner, so that the edges without length between
 // them can go. A scale above 0, by vertex, says that curves may be jagged there: then those turns count that are turns at the scale
 // of that length, too, and the sharpest of several that are close together. A turn is one whose cosine is under the given one.
@@ -120,7 +127,8 @@ inline std::vector<char> find_corners(const Remeshing_mesh& mesh, const std::vec
   for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) is_corner[v] = mesh.is_vertex(v) && mesh.is_locked(v);
   for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
     if (!mesh.is_vertex(v) || !mesh.is_on_curve(v)) continue;
-    int edges = 0, constrained = 0;
+    int edges = 0;
+    unsigned kinds[2] = {0, 0};
     Curve_arm arms[2];
     Turn turn{v, 1, {v, v}, {}};
     for_each_curve_halfedge(mesh, v, [&](Index h) {
@@ -128,11 +136,11 @@ inline std::vector<char> find_corners(const Remeshing_mesh& mesh, const std::vec
       if (edges < 2) {
         arms[edges] = curve_arm(mesh, is_corner, v, u);
         turn.neighbors[edges] = u;
+        kinds[edges] = curve_kind(mesh, h < 0 ? ~h : h);
       }
-      constrained += mesh.is_constrained(h < 0 ? ~h : h);
       ++edges;
     });
-    if (edges != 2 || constrained == 1) {
+    if (edges != 2 || kinds[0] != kinds[1]) {
       is_corner[v] = 1;
       continue;
     }

@@ -44,7 +44,7 @@ class Repairer
   // The pass ends after so many trials for angles and as many for folds, and so many more of each for every bad face, but at most
   // one for so many faces of the input or of the mesh, what is more: a trial takes as long as ten faces of the run. Where faces cross,
   // after so many times as many; where the surface does, too, after no more.
-  static constexpr std::size_t LEAST_TRIALS = 100, TRIALS_PER_BAD_FACE = 10, FACES_PER_TRIAL = 40, CROSSING_TRIALS = 6;
+  static constexpr std::size_t LEAST_TRIALS = 200, TRIALS_PER_BAD_FACE = 10, FACES_PER_TRIAL = 40, CROSSING_TRIALS = 6;
   // An operation stays if it takes away this part of what is bad around it.
   static constexpr double NOTICEABLE = 0.02;
   // To unfold a face the mesh may withdraw so many times as far.
