@@ -31,6 +31,14 @@ Topology topology(const Mesh& mesh)
   return t;
 }
 
+double mean_edge_length(const Mesh& mesh)
+{
+  double sum = 0;
+  for(const Edge e : edges(mesh))
+    sum += std::sqrt(CGAL::squared_distance(mesh.point(source(e, mesh)), mesh.point(target(e, mesh))));
+  return sum / double(mesh.number_of_edges());
+}
+
 bool does_self_intersect(const Mesh& mesh) { return PMP::does_self_intersect(mesh); }
 
 std::vector<std::pair<Face, Face>> self_intersections(const Mesh& mesh)
@@ -56,6 +64,11 @@ std::size_t number_of_flipped_faces(const Mesh& mesh, const Mesh& input)
     const Face nearest = tree.closest_point_and_primitive(CGAL::centroid(p[0], p[1], p[2])).second;
     return normal(f, mesh) * normal(nearest, input) < 0;
   }));
+}
+
+CGAL::Inter_angle_remeshing::Surface_distance surface_distance(const Mesh& mesh, const Mesh& other, std::size_t number_of_points)
+{
+  return CGAL::Inter_angle_remeshing::surface_distance(mesh, other, CGAL::parameters::number_of_points_on_faces(number_of_points));
 }
 
 double largest_distance(const std::vector<Point>& points, const Mesh& mesh)

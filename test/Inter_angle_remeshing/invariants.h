@@ -6,6 +6,8 @@
 
 // What a remeshed surface has in common with the one that it was made from, as values to compare.
 
+#include <CGAL/Inter_angle_remeshing/surface_distance.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -94,13 +96,7 @@ inline bool is_finite(const Mesh& mesh)
 
 // --- geometry ----------------------------------------------------------------------------------------------------
 
-inline double mean_edge_length(const Mesh& mesh)
-{
-  double sum = 0;
-  for(const Edge e : edges(mesh))
-    sum += std::sqrt(CGAL::squared_distance(mesh.point(source(e, mesh)), mesh.point(target(e, mesh))));
-  return sum / double(mesh.number_of_edges());
-}
+double mean_edge_length(const Mesh& mesh);
 
 inline std::array<Point, 3> corners(Face f, const Mesh& mesh)
 {
@@ -122,6 +118,10 @@ std::vector<std::pair<Face, Face>> self_intersections(const Mesh& mesh);
 
 // Faces of `mesh` that look away from where the nearest face of `input` looks.
 std::size_t number_of_flipped_faces(const Mesh& mesh, const Mesh& input);
+
+// The package's own, which test_measures tests.
+CGAL::Inter_angle_remeshing::Surface_distance surface_distance(const Mesh& mesh, const Mesh& other,
+                                                               std::size_t number_of_points = 30000);
 
 // Of the points from the mesh.
 double largest_distance(const std::vector<Point>& points, const Mesh& mesh);

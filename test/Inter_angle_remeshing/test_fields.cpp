@@ -9,7 +9,6 @@
 #include <CGAL/Inter_angle_remeshing/Projection/Closest_point_projector.h>
 #include <CGAL/Inter_angle_remeshing/Uniform_sizing_field.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
-#include <CGAL/Inter_angle_remeshing/surface_distance.h>
 
 #if CGAL_VERSION_NR >= 1060000000
 #  include <CGAL/Polygon_mesh_processing/Adaptive_sizing_field.h>
@@ -119,7 +118,7 @@ void functions_of_the_position_are_followed()
     report = IAR::isotropic_remeshing(Wave(input), m);
     fits(m, Wave(input), report, c.smallest, c.largest, c.name + std::string(", wave"));
     CHECK(topology(m) == topology(input));
-    CHECK(IAR::surface_distance(m, input).hausdorff() < 2 * mean_edge_length(input));
+    CHECK(invariants::surface_distance(m, input).hausdorff() < 2 * mean_edge_length(input));
   }
 }
 
@@ -686,7 +685,8 @@ void attributes_stay_in_their_parts(const std::vector<Soup>& parts, double lengt
         values[component[f]].insert({of_vertex[m.target(h)], of_corner[h]});
     }
     for(const auto& [c, of_component] : values)
-      CHECK_MESSAGE(*of_component.rbegin() - *of_component.begin() < 1e-9, c << ": " << *of_component.begin() << " to " << *of_component.rbegin());
+      CHECK_MESSAGE(*of_component.rbegin() - *of_component.begin() < 1e-9,
+                    c << ": " << *of_component.begin() << " to " << *of_component.rbegin());
   };
   run(parameters::do_project(true));
   run(parameters::do_project(false));

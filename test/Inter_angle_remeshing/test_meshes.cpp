@@ -13,7 +13,6 @@
 #include <CGAL/Inter_angle_remeshing/internal/regular_valence.h>
 #include <CGAL/Inter_angle_remeshing/internal/whole_surface.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
-#include <CGAL/Inter_angle_remeshing/surface_distance.h>
 #include <CGAL/Inter_angle_remeshing/triangle_quality.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -405,7 +404,7 @@ void large_distances_are_lowered()
     };
     const auto hausdorff = [&](const Mesh& output)
     {
-      return IAR::surface_distance(input, output, parameters::number_of_points_on_faces(100000)).hausdorff();
+      return invariants::surface_distance(input, output, 100000).hausdorff();
     };
     Mesh without = input, with = input;
     const auto before = remeshed(0, without), after = remeshed(IAR::Recipe().distance_tolerance, with);
@@ -494,7 +493,7 @@ void thin_rings_stay_rings()
     Mesh m = input;
     IAR::isotropic_remeshing(length, m);
     check_same_shape(m, input, "ring");
-    const auto distance = IAR::surface_distance(input, m);
+    const auto distance = invariants::surface_distance(input, m);
     largest += distance.hausdorff() / length / 4;
     mean += distance.mean() / length / 4;
   }
@@ -520,7 +519,7 @@ void small_crossings_of_the_input_are_parted()
     const auto report = IAR::isotropic_remeshing(length, with);
     IAR::isotropic_remeshing(length, without, IAR::recipe(without_repair));
     CHECK_MESSAGE(report.are_crossing_faces_known && report.crossing_faces == number_of_crossing_faces(with), name);
-    CHECK_MESSAGE(IAR::surface_distance(with, input).mean() < 1.2 * IAR::surface_distance(without, input).mean(), name);
+    CHECK_MESSAGE(invariants::surface_distance(with, input).mean() < 1.2 * invariants::surface_distance(without, input).mean(), name);
     crossing += report.crossing_faces;
     crossing_without += number_of_crossing_faces(without);
   }
@@ -635,7 +634,7 @@ void tips_are_not_worn_off_by_what_mends_angles()
     Mesh output = input;
     IAR::isotropic_remeshing(nearby * length, output);
     check_same_shape(output, input, "camel");
-    lost.push_back(IAR::surface_distance(input, output).hausdorff_1_to_2 / (nearby * length));
+    lost.push_back(invariants::surface_distance(input, output).hausdorff_1_to_2 / (nearby * length));
   }
   std::sort(lost.begin(), lost.end());
   CHECK_MESSAGE(lost[1] + lost[2] < 2 * .9, lost[1] << " and " << lost[2]);     // 1.1 where nothing keeps them
@@ -669,7 +668,8 @@ void a_few_iterations_are_enough_for_needles_and_long_facets()
     CHECK_MESSAGE(angles.minimum_angle > 25 && angles.maximum_angle < 115, what << angles.minimum_angle << ".." << angles.maximum_angle);
     CHECK_MESSAGE(double(angles.number_of_faces) < 1.3 * c.faces, what << angles.number_of_faces);
     CHECK_MESSAGE(!does_self_intersect(m), what);
-    CHECK_MESSAGE(IAR::surface_distance(input, m).hausdorff() < length, what << IAR::surface_distance(input, m).hausdorff() / length);
+    const double distance = invariants::surface_distance(input, m).hausdorff();
+    CHECK_MESSAGE(distance < length, what << distance / length);
   }
 }
 
@@ -684,7 +684,7 @@ void thin_walls_keep_their_round_ends()
     const double length = IAR::target_edge_length(faces(m), m, faces_wanted);
     IAR::isotropic_remeshing(length, m);
     const auto angles = IAR::inter_angle_statistics(m);
-    const double distance = IAR::surface_distance(input, m).hausdorff();
+    const double distance = invariants::surface_distance(input, m).hausdorff();
     const std::string what = std::to_string(facets) + " facets, " + std::to_string(faces_wanted) + " faces: ";
     CHECK_MESSAGE(!does_self_intersect(m), what);
     CHECK_MESSAGE(angles.minimum_angle > 40 && angles.maximum_angle < 95, what << angles.minimum_angle << ".." << angles.maximum_angle);
@@ -832,7 +832,7 @@ void without_a_length_angles_are_mended()
                   name << ": " << report.angles_after.minimum << " to " << report.angles_after.maximum);
     const Mesh theirs = models::remeshed_by_pmp(input, 0);
     CHECK_MESSAGE(report.angles_after.average > IAR::inter_angle_statistics(theirs).average + 1, report.angles_after.average);
-    CHECK_MESSAGE(IAR::surface_distance(input, m).mean() < .95 * IAR::surface_distance(input, theirs).mean(), name);
+    CHECK_MESSAGE(invariants::surface_distance(input, m).mean() < .95 * invariants::surface_distance(input, theirs).mean(), name);
   }
 }
 
@@ -862,7 +862,7 @@ struct Quality
   Quality(const Mesh& output, const Mesh& input)
     : average_angle(IAR::inter_angle_statistics(output).average)
   {
-    const auto d = IAR::surface_distance(input, output, parameters::number_of_points_on_faces(20000));
+    const auto d = invariants::surface_distance(input, output, 20000);
     hausdorff = d.hausdorff();
     mean_distance = d.mean();
   }
@@ -1217,7 +1217,7 @@ bool check_random_case(std::uint64_t seed)
   std::set_difference(output.faces_begin(), output.faces_end(), outside.begin(), outside.end(), std::back_inserter(inside));
   if(!inside.empty())
     check_band(c, inside, output, report, what);
-  const auto distances = IAR::surface_distance(c.mesh, output, parameters::number_of_points_on_faces(3000));
+  const auto distances = invariants::surface_distance(c.mesh, output, 3000);
   const double farthest = distances.hausdorff() / std::max(c.length, mean_edge_length(c.mesh));
   CHECK_MESSAGE(farthest <= FARTHEST, what << ": " << farthest);
   if(c.length == 0 || (!c.do_split && !c.do_collapse))

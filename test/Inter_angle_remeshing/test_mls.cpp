@@ -7,7 +7,6 @@
 #include <CGAL/Inter_angle_remeshing/Projection/MLS_projector.h>
 #include <CGAL/Inter_angle_remeshing/Projection/Upsampled_point_set.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
-#include <CGAL/Inter_angle_remeshing/surface_distance.h>
 #include <CGAL/Inter_angle_remeshing/triangle_quality.h>
 #ifdef CGAL_EIGEN3_ENABLED
 #  include <CGAL/Inter_angle_remeshing/Projection/Point_set_MLS_projector.h>
@@ -625,7 +624,7 @@ void fillets_leave_flats_flat()
       CHECK_MESSAGE((report.features != IAR::Remeshing_report::Features::none) == (length == .5), n << ", " << length);
       const double growth = PMP::volume(m) / PMP::volume(input) - 1;
       CHECK_MESSAGE(std::abs(growth) < .05 * length, n << ", " << length << ": " << growth);
-      const double far_off = IAR::surface_distance(input, m).hausdorff();
+      const double far_off = invariants::surface_distance(input, m).hausdorff();
       CHECK_MESSAGE(far_off < .45 * length, n << ", " << length << ": " << far_off);
     }
   }
@@ -660,7 +659,7 @@ void long_facets_stay_straight()
       const Mesh thick = wall;
       IAR::isotropic_remeshing(length, wall);
       CHECK_MESSAGE(!does_self_intersect(wall), n << ", " << length);
-      const double distance = IAR::surface_distance(thick, wall).hausdorff();
+      const double distance = invariants::surface_distance(thick, wall).hausdorff();
       CHECK_MESSAGE(distance < .8 * length, n << ", " << length << ": " << distance);
     }
 }
@@ -682,7 +681,7 @@ void walks_pass_any_number_of_facets()
   IAR::isotropic_remeshing(.05, m);
   const auto angles = IAR::inter_angle_statistics(m);
   CHECK_MESSAGE(angles.minimum_angle > 30 && angles.average > 57, angles.minimum_angle << ", " << angles.average);
-  const double distance = IAR::surface_distance(input, m, parameters::number_of_points_on_faces(10000)).hausdorff();
+  const double distance = invariants::surface_distance(input, m, 10000).hausdorff();
   CHECK_MESSAGE(distance < .03, distance);
 }
 
@@ -699,7 +698,7 @@ void a_fit_comes_nearer()
     Mesh fitted = input, projected = input;
     IAR::isotropic_remeshing(length, fitted);
     IAR::isotropic_remeshing(faces(projected), length, projected, IAR::recipe(without_fit()));
-    const auto near = IAR::surface_distance(input, fitted), far = IAR::surface_distance(input, projected);
+    const auto near = invariants::surface_distance(input, fitted), far = invariants::surface_distance(input, projected);
     CHECK_MESSAGE(near.mean_1_to_2 < .8 * far.mean_1_to_2, name << ": " << near.mean_1_to_2 / far.mean_1_to_2);
     CHECK_MESSAGE(near.mean_2_to_1 < .9 * far.mean_2_to_1, name << ": " << near.mean_2_to_1 / far.mean_2_to_1);
     const auto a = IAR::inter_angle_statistics(fitted), b = IAR::inter_angle_statistics(projected);
@@ -731,7 +730,7 @@ void the_closest_recipe_comes_nearer_still()
     Mesh by_default = input, closest = input;
     IAR::isotropic_remeshing(length, by_default);
     const auto report = IAR::isotropic_remeshing(faces(closest), length, closest, IAR::recipe(IAR::Recipe::closest()));
-    const double near = IAR::surface_distance(input, closest).mean(), far = IAR::surface_distance(input, by_default).mean();
+    const double near = invariants::surface_distance(input, closest).mean(), far = invariants::surface_distance(input, by_default).mean();
     ratios.push_back(near / far);
     CHECK_MESSAGE(near < .98 * far, name << ": " << near / far);
     CHECK_MESSAGE(report.band_holds && report.angles_after.average > 52, name << ": " << report.angles_after.average);

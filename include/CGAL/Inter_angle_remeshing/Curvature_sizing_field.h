@@ -33,9 +33,10 @@ Where the largest absolute principal curvature is κ, the target edge length is
 
 \f[ L = \sqrt{6 \varepsilon / \kappa - 3 \varepsilon^2}, \f]
 
-the edge of an equilateral triangle inscribed in a sphere of radius 1/κ whose distance from the sphere is ε (M. Dunyach,
-D. Vanderhaeghe, L. Barthe, M. Botsch, <em>Adaptive Remeshing for Real-Time Mesh Deformation</em>, Eurographics Short Papers
-2013); with a larger ε than the radius it stays at its largest value, √3/κ. It is clamped to a range, and rises by no more than the `gradation` with the distance.
+the edge of an equilateral triangle inscribed in a sphere of radius 1/κ whose distance from the sphere is ε (M. Dunyach, D.
+Vanderhaeghe, L. Barthe, M. Botsch, <em>Adaptive Remeshing for Real-Time Mesh Deformation</em>, Eurographics Short Papers
+2013); with a larger ε than the radius it stays at its largest value, √3/κ. It is clamped to a range, and rises by no more
+than the `gradation` with the distance.
 
 Features, the ones of a map or the ones that `detect_features()` finds, and the border bound the smooth parts of the surface: an
 edge of a cube is not taken for a large curvature. They are curves themselves, and where these are bent lengths are short.

@@ -20,8 +20,8 @@ namespace Inter_angle_remeshing {
 @brief the flip rule of inter-angle optimization: a flip must neither make an obtuse angle nor crease the surface.
 
 A flip that improves the valences is blocked if one of the two faces that it makes has an angle over `maximum_angle`,
-or if the normals of the two faces that it replaces differ by more than `maximum_dihedral_angle`. The flips of a glide are judged by the glide as a whole
-(`Edge_profile::is_transient()`), and only the base policy is asked.
+or if the normals of the two faces that it replaces differ by more than `maximum_dihedral_angle`. The flips of a glide
+are judged by the glide as a whole (`Edge_profile::is_transient()`), and only the base policy is asked.
 
 Source: Zheng and Lv, <em>Isotropic Remeshing with Inter-Angle Optimization</em>, ICIG 2025, the section on edge flipping.
 

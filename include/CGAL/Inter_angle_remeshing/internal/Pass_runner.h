@@ -72,7 +72,8 @@ public:
       return are_curves_settled || !has_surplus_curve_edge(context_, v); });
   }
 
-  // Splits, collapses, and in the last iterations what the wanted number of faces takes. Returns the number of splits. The limits of the edge lengths are those of the recipe, or wider by a factor.
+  // Splits, collapses, and in the last iterations what the wanted number of faces takes. The limits of the edge lengths are those of the
+  // recipe, or wider by a factor. Returns the number of splits.
   std::size_t split_and_collapse(double widening = 1)
   {
     if (!goes_on()) return 0;
