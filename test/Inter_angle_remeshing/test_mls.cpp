@@ -499,7 +499,7 @@ void a_point_set_is_enough()
   std::vector<std::pair<Point, Vector>> scan;
   for(int i = 0; i < 4000; ++i)
   {
-    Vector v(normal(random), normal(random), normal(random));
+    Vector v{normal(random), normal(random), normal(random)};
     v = v / std::sqrt(v.squared_length());
     scan.emplace_back(CGAL::ORIGIN + v, v);
   }

@@ -28,7 +28,8 @@ inline std::vector<Remeshing_mesh::Index> faces_of(const std::vector<std::pair<R
   return result;
 }
 
-// Where the surface crosses itself: a mesh of it may, too. Corners of its faces that do, in units of the mesh.
+// Where the surface crosses itself: a mesh of it may, too. Corners of its faces that do, in units of the mesh. Where noise makes them cross
+// each other, what is under the noise does not.
 class Surface_crossings
 {
   using Index = Remeshing_mesh::Index;
@@ -43,7 +44,7 @@ public:
   template <class ConcurrencyTag>
   static Surface_crossings find(const Remeshing_context& context)
   {
-    if (!context.projector.has_faces()) return Surface_crossings(context, 0);
+    if (!context.projector.has_faces() || context.noise > 0) return Surface_crossings(context, 0);
     const Reference_surface& surface = *context.projector.surface;
     const double factor = context.projector.factor;
     double sum = 0;
