@@ -28,8 +28,7 @@ inline std::vector<Remeshing_mesh::Index> faces_of(const std::vector<std::pair<R
   return result;
 }
 
-// Where the surface crosses itself: a mesh of it may, too. Corners of its faces that do, in units of the mesh. Where noise makes them cross
-// each other, what is under the noise does not.
+// Where the surface crosses itself: a mesh of it may, too. Corners of its faces that do, in units of the mesh.
 class Surface_crossings
 {
   using Index = Remeshing_mesh::Index;
@@ -41,6 +40,7 @@ class Surface_crossings
   static constexpr double COARSE = 1.5;
 
 public:
+  // Nowhere if there is noise: it makes faces cross each other, but what is under it does not cross itself.
   template <class ConcurrencyTag>
   static Surface_crossings find(const Remeshing_context& context)
   {

@@ -107,7 +107,8 @@ inline double cosine_of_turn(const Vector3& arm, const Vector3& other_arm)
   return product > 0 ? -dot(arm, other_arm) / product : 1.;
 }
 
-// What the edge of h is, beside one of a curve: constrained, by the user or because it was found, or for the iterations alone.
+// How many of these the edge of h is, each of which implies the one before: constrained, found, passing. Edges that differ in it are
+// of different kinds.
 inline unsigned curve_kind(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
   return unsigned(mesh.is_constrained(h)) + unsigned(mesh.has_flag(h, Remeshing_mesh::FOUND)) +
