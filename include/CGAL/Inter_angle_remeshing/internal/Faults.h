@@ -114,7 +114,9 @@ public:
     near_ = faces_near(mesh_, *grid_, within_reach, marks_, looks_);
     std::sort(near_.begin(), near_.end());
     for_each_crossing_near(within_reach, [&](Index g, Index other) {
-      crossings_before_.push_back({g, other, score_of_crossing(g, other)}); });
+      crossings_before_.push_back({g, other, score_of_crossing(g, other)});
+      return true;
+    });
   }
 
   // How bad these faces, in order, were before anything was tried since the last start().
@@ -131,14 +133,18 @@ public:
     return sum;
   }
 
-  // How bad they are.
-  double score(const std::vector<Index>& faces)
+  // How bad they are; from `enough` on, perhaps a part of that.
+  double score(const std::vector<Index>& faces, double enough)
   {
     double sum = 0;
     leaving_.start();
-    if (finds_crossings_) for_each_crossing_near(faces, [&](Index f, Index g) { sum += score_of_crossing(f, g); });
-    for (const Index f : faces)
-      if (mesh_.is_face(f)) sum += score_of_violation(internal::violation(mesh_, bands_, f, leaving_));
+    if (finds_crossings_)
+      for_each_crossing_near(faces, [&](Index f, Index g) {
+        sum += score_of_crossing(f, g);
+        return sum < enough;
+      });
+    for (auto f = faces.begin(); f != faces.end() && sum < enough; ++f)
+      if (mesh_.is_face(*f)) sum += score_of_violation(internal::violation(mesh_, bands_, *f, leaving_));
     return sum;
   }
 
@@ -179,7 +185,7 @@ private:
     std::stable_sort(begin, end, [&](Index f, Index g) { return longest[f] < longest[g]; });
   }
 
-  // Calls `function(face, other)` for the pairs of faces that cross each other, of which one is among these.
+  // Calls `function(face, other)` for the pairs of faces that cross each other, of which one is among these, until it returns false.
   template <class Function>
   void for_each_crossing_near(std::vector<Index> faces, const Function& function) const
   {
@@ -188,10 +194,7 @@ private:
     std::vector<Index> others;
     std::set_union(near_.begin(), near_.end(), faces.begin(), faces.end(), std::back_inserter(others));
     others.erase(std::remove_if(others.begin(), others.end(), is_dead), others.end());
-    for_each_crossing(mesh_, faces, others, [&](Index f, Index g) {
-      function(f, g);
-      return true;
-    });
+    for_each_crossing(mesh_, faces, others, function);
   }
 
   const Remeshing_context& context_;

@@ -224,23 +224,14 @@ private:
     const double low = context_.collapse_rule.is_never() ? 0 : context_.squared_shortness_limit() / (widening * widening);
     const double high = context_.split_rule.is_never() ? inf : context_.squared_length_limit() * (widening * widening);
     Edges_out_of_limits result;
-    const auto sort_in = [&](const std::vector<Index>& edges, const auto& is_too_short) {
-      for (const Index h : edges) (is_too_short(h) ? result.too_short : result.too_long).push_back(h);
+    const auto sort_in = [&](const auto& scale) {
+      for (const Index h : edges_out_of<ConcurrencyTag>(mesh_, low, high, scale)) {
+        const bool is_too_short = mesh_.squared_edge_length(h) < low * scale(mesh_.origin(h), mesh_.target(h));
+        (is_too_short ? result.too_short : result.too_long).push_back(h);
+      }
     };
-    if (context_.grading.is_uniform()) {
-      sort_in(edges_out_of<ConcurrencyTag>(mesh_, low, high), [&](Index h) { return mesh_.squared_edge_length(h) < low; });
-      return result;
-    }
-    const auto scale = [&](Index h) {
-      const double part = context_.grading.part(mesh_.origin(h), mesh_.target(h));
-      return part * part;
-    };
-    const auto is_too_short = [&](Index h) { return mesh_.squared_edge_length(h) < low * scale(h); };
-    const auto is_out_of_limits = [&](Index h) {
-      const double l = mesh_.squared_edge_length(h), s = scale(h);
-      return l < low * s || l > high * s;
-    };
-    sort_in(edges_where<ConcurrencyTag>(mesh_, is_out_of_limits), is_too_short);
+    if (context_.grading.is_uniform()) sort_in([](Index, Index) { return 1.; });
+    else sort_in([&](Index u, Index v) { return CGAL::square(context_.grading.part(u, v)); });
     return result;
   }
 

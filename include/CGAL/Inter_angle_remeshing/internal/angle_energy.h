@@ -98,7 +98,9 @@ public:
   {
     set_spokes(p);
     double sum = 0;
-    for_each_corner([&](const Angle_band& band, double c) { sum += band.energy(c); });
+    for_each_face([&](std::size_t k, const std::array<double, 3>& cosines) {
+      for (const double c : cosines) sum += link_[k].band.energy(c);
+    });
     return sum;
   }
 
@@ -106,7 +108,9 @@ public:
   double largest_cosine() const
   {
     double result = -1;
-    for_each_corner([&](const Angle_band&, double c) { result = (std::max)(result, c); });
+    for_each_face([&](std::size_t, const std::array<double, 3>& cosines) {
+      for (const double c : cosines) result = (std::max)(result, c);
+    });
     return result;
   }
 
@@ -115,13 +119,12 @@ public:
   Vector3 gradient()
   {
     std::fill(slope_.begin(), slope_.end(), Vector3());
-    for (std::size_t k = 0; k < link_.size(); ++k) {
-      const std::array<double, 3> c = corners(k);
+    for_each_face([&](std::size_t k, const std::array<double, 3>& c) {
       const Angle_band& band = link_[k].band;
       const double at_v = 2 * band.excess(c[0]), at_u = 2 * band.excess(c[1]), at_w = 2 * band.excess(c[2]);
       slope_[k] += at_v * spoke_[k + 1] - at_u * link_[k].direction;
       slope_[k + 1] += at_v * spoke_[k] + at_w * link_[k].direction;
-    }
+    });
     Vector3 result;
     for (std::size_t k = 0; k < spoke_.size(); ++k)
       result += inverse_length_[k] * (dot(slope_[k], spoke_[k]) * spoke_[k] - slope_[k]);
@@ -180,20 +183,26 @@ private:
     inverse_length_[n] = inverse_length_[0];
   }
 
-  // The corner cosines of face k at v and at the two ends of its link edge; 1 beside an edge without length.
+  // The corner cosines of face k at v and at the two ends of its link edge, if all its edges have a length,
+  std::array<double, 3> regular_corners(std::size_t k) const
+  {
+    const Vector3 &s = spoke_[k], &t = spoke_[k + 1], &e = link_[k].direction;
+    return {dot(s, t), -dot(s, e), dot(t, e)};
+  }
+  // and in any case: 1 beside an edge without length.
   std::array<double, 3> corners(std::size_t k) const
   {
     const Vector3 &s = spoke_[k], &t = spoke_[k + 1], &e = link_[k].direction;
-    if (has_length_ && has_spokes_) return {dot(s, t), -dot(s, e), dot(t, e)};
     const bool has_s = inverse_length_[k] > 0, has_t = inverse_length_[k + 1] > 0, has_e = e != Vector3();
     return {has_s && has_t ? dot(s, t) : 1, has_s && has_e ? -dot(s, e) : 1, has_t && has_e ? dot(t, e) : 1};
   }
 
   template <class Function>
-  void for_each_corner(const Function& function) const
+  void for_each_face(const Function& function) const
   {
-    for (std::size_t k = 0; k < link_.size(); ++k)
-      for (const double c : corners(k)) function(link_[k].band, c);
+    const std::size_t n = link_.size();
+    if (has_length_ && has_spokes_) for (std::size_t k = 0; k < n; ++k) function(k, regular_corners(k));
+    else for (std::size_t k = 0; k < n; ++k) function(k, corners(k));
   }
 
   bool is_closed_ = true;

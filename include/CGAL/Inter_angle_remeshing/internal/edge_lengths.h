@@ -16,40 +16,26 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// One half-edge of each edge of which `is_wanted` holds.
-template <class ConcurrencyTag, class Predicate>
-std::vector<Remeshing_mesh::Index> edges_where(const Remeshing_mesh& mesh, const Predicate& is_wanted)
+// One half-edge of each edge whose squared length, over `scale(u, v)` for the vertices u and v of the edge, lies outside of [low, high].
+// Lengths are taken face by face; the adjacency is looked at for the few hits only.
+template <class ConcurrencyTag, class Scale>
+std::vector<Remeshing_mesh::Index> edges_out_of(const Remeshing_mesh& mesh, double low, double high, const Scale& scale)
 {
   using Index = Remeshing_mesh::Index;
   std::vector<Index> found;
   scan_into<ConcurrencyTag>(found, mesh.number_of_face_slots(), [&](std::size_t f, std::vector<Index>& out) {
     if (!mesh.is_face(Index(f))) return;
-    for (Index h = Index(4 * f); h < Index(4 * f) + 3; ++h)
-      if (mesh.names_edge(h) && is_wanted(h)) out.push_back(h);
-  });
-  return found;
-}
-
-// One half-edge of each edge whose squared length lies outside of [low, high]. Lengths are taken face by face;
-// the adjacency is looked at for the few hits only.
-template <class ConcurrencyTag>
-std::vector<Remeshing_mesh::Index> edges_out_of(const Remeshing_mesh& mesh, double low, double high)
-{
-  using Index = Remeshing_mesh::Index;
-  std::vector<Index> found;
-  scan_into<ConcurrencyTag>(found, mesh.number_of_face_slots(), [&](std::size_t f, std::vector<Index>& out) {
-    const Index h = Index(4 * f);
-    if (!mesh.is_face(Index(f))) return;
-    const Vector3 &a = mesh.position(mesh.origin(h)), &b = mesh.position(mesh.origin(h + 1)),
-                  &c = mesh.position(mesh.origin(h + 2));
+    const Index h = Index(4 * f), u = mesh.origin(h), v = mesh.origin(h + 1), w = mesh.origin(h + 2);
+    const Vector3 &a = mesh.position(u), &b = mesh.position(v), &c = mesh.position(w);
     const double length[3] = {squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)};
-    if ((std::min)((std::min)(length[0], length[1]), length[2]) >= low &&
-        (std::max)((std::max)(length[0], length[1]), length[2]) <= high) return;
+    const double unit[3] = {scale(u, v), scale(v, w), scale(w, u)};
+    const auto is_out = [&](int k) { return int(length[k] < low * unit[k]) | int(length[k] > high * unit[k]); };
+    if (!(is_out(0) | is_out(1) | is_out(2))) return;
     Index edges[3];                      // of which some are written over: no branch is foretold well here
     int n = 0;
     for (int k = 0; k < 3; ++k) {
       edges[n] = h + k;
-      n += int(length[k] < low || length[k] > high) & int(mesh.names_edge(h + k));
+      n += is_out(k) & int(mesh.names_edge(h + k));
     }
     for (int k = 0; k < n; ++k) out.push_back(edges[k]);
   });

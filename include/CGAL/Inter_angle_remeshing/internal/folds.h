@@ -34,27 +34,29 @@ inline bool leaves_surface(const Remeshing_context& context, Remeshing_mesh::Ind
   const Remeshing_mesh& mesh = context.mesh;
   const auto& v = mesh.face_record(f).vertex;
   const Vector3 centre = (1. / 3) * (mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2]));
-  Surface_point nearest;
+  Vector3 nearest;
   Remeshing_mesh::Index facet = -1;
   double least = std::numeric_limits<double>::infinity();
   for (const Remeshing_mesh::Index u : v) {
     Remeshing_mesh::Index hint = mesh.hint(u);
-    const Surface_point p = context.projector.nearest(centre, hint);
-    if (const double d = squared_distance(p.point, centre); d < least) { nearest = p; facet = hint; least = d; }
+    const Vector3 p = context.projector(centre, hint);
+    if (const double d = squared_distance(p, centre); d < least) { nearest = p; facet = hint; least = d; }
   }
   const auto turns_away_from = [&, own = mesh.cross_product(f)](const Vector3& normal) {
     return !is_cosine_at_least(normal, own, LEAVING_COSINE);
   };
-  return turns_away_from(nearest.normal) && turns_away_from(context.projector.surface->cross_product(facet));
+  return turns_away_from(context.projector.surface->cross_product(facet)) &&
+         turns_away_from(context.projector.normal_at(facet, nearest));
 }
 
-// By how much face f folds over one of its neighbors, in degrees; not positive where it does not. `leaves(face)` is leaves_surface().
+// By how much face f folds over one of its neighbors, in degrees, if by more than `known`, which is not negative; that, else.
+// `leaves(face)` is leaves_surface().
 template <class Leaves>
-double fold_violation(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, Leaves& leaves)
+double fold_violation(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, Leaves& leaves, double known)
 {
   using Index = Remeshing_mesh::Index;
   const Vector3 n = mesh.cross_product(f);
-  double least = 1;
+  double result = known, least = FOLD_COSINE - known / DEGREES_OF_FOLD;
   for (Index h = 4 * f; h < 4 * f + 3; ++h) {
     if (mesh.is_on_curve_edge(h)) continue;
     const Index g = mesh.face(mesh.opposite(h));
@@ -62,15 +64,17 @@ double fold_violation(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, Leave
     const double product = dot(n, m);
     if (product >= 0) continue;
     const double cosine = product / std::sqrt(squared_length(n) * squared_length(m));
-    if (cosine < (std::min)(least, FOLD_COSINE) && (leaves(f) || leaves(g))) least = cosine;
+    if (!(cosine < least && (leaves(f) || leaves(g)))) continue;
+    least = cosine;
+    result = DEGREES_OF_FOLD * (FOLD_COSINE - least);
   }
-  return DEGREES_OF_FOLD * (FOLD_COSINE - least);
+  return result;
 }
 
-inline double fold_violation(const Remeshing_context& context, Remeshing_mesh::Index f)
+inline double fold_violation(const Remeshing_context& context, Remeshing_mesh::Index f, double known = 0)
 {
   const auto leaves = [&](Remeshing_mesh::Index g) { return leaves_surface(context, g); };
-  return fold_violation(context.mesh, f, leaves);
+  return fold_violation(context.mesh, f, leaves, known);
 }
 
 // What leaves_surface() says, each face asked for once.
@@ -103,11 +107,11 @@ private:
 template <class Leaves>
 double violation(const Remeshing_mesh& mesh, const Angle_bands& bands, Remeshing_mesh::Index f, Leaves& leaves)
 {
-  return (std::max)(angle_violation(mesh, bands, f), fold_violation(mesh, f, leaves));
+  return fold_violation(mesh, f, leaves, angle_violation(mesh, bands, f));
 }
 inline double violation(const Remeshing_context& context, const Angle_bands& bands, Remeshing_mesh::Index f)
 {
-  return (std::max)(angle_violation(context.mesh, bands, f), fold_violation(context, f));
+  return fold_violation(context, f, angle_violation(context.mesh, bands, f));
 }
 
 } // namespace internal

@@ -143,7 +143,7 @@ private:
     for (std::size_t i = 0; i < queue.size(); ++i) {
       const Index v = queue[i];
       mesh.for_each_neighbor(v, [&](Index u) {
-        if (!may_fall(u)) return;
+        if (!(part_[u] > part_[v] * NOTICEABLE && may_fall(u))) return;
         const double distance = length(mesh.position(u) - mesh.position(v)) / target_length;
         const float bound = float(double(part_[v]) + rate * distance);
         if (!(part_[u] > bound * NOTICEABLE)) return;

@@ -47,6 +47,8 @@ class Repairer
   static constexpr std::size_t LEAST_TRIALS = 200, TRIALS_PER_BAD_FACE = 10, FACES_PER_TRIAL = 40, CROSSING_TRIALS = 6;
   // An operation stays if it takes away this part of what is bad around it.
   static constexpr double NOTICEABLE = 0.02;
+  // One that at first makes it so much worse is not worth a sweep: an angle 42 degrees out of its band.
+  static constexpr double HOPELESS = 16000;
   // To unfold a face the mesh may withdraw so many times as far.
   static constexpr double UNFOLDING = 2;
   // What an operation leaves is no farther from the surface, in target lengths, than this or than what was there: angles are not worth a
@@ -181,9 +183,13 @@ private:
     snapshot_.take(mesh_, around);
     const double before = faults_.score_before(snapshot_.faces());
     const std::vector<Index> moving = ball(mesh_, operations_.attempt(operation), 1, marks_);
-    descent_.sweep(moving, sweeps);
     const std::vector<Index> faces = faces_around(mesh_, moving, marks_);
-    const double after = faults_.score(faces);
+    if (!may_stay && !is_at_crossing(fault_) && faults_.score(faces, before + HOPELESS) >= before + HOPELESS) {
+      snapshot_.restore(mesh_);
+      return 0;
+    }
+    descent_.sweep(moving, sweeps);
+    const double after = faults_.score(faces, before);
     const bool pays = before - after > NOTICEABLE * before &&
                       !(may_stay && !is_at_crossing(fault_) && leaves_places(around, faces));
     const double distance = pays && may_stay ? largest_distance(faces) : 0;
