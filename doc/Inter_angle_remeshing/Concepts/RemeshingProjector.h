@@ -14,7 +14,8 @@ for that function work here.
 
 A functor that is handed over is copied, several times; hand large ones and those with a state over by `std::ref()`.
 An exception ends the run, passes through, and leaves the user's mesh as it was; so does a
-`CGAL::Postcondition_exception` that is thrown where a functor returns a point that is not finite.
+`CGAL::Postcondition_exception` that is thrown where a functor returns a point that is not finite, or further away than
+10<sup>100</sup> times the extent of the range.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Inter_angle_remeshing::Closest_point_projector}

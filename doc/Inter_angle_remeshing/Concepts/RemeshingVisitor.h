@@ -55,7 +55,7 @@ public:
   void before_split(Halfedge h, const Mesh& mesh);
 
   /// called after a split; `v` is the new vertex, still at the midpoint of the edge, or on a curve in the middle of the edge's part
-  /// of it. It is pulled back onto the surface at the end of the pass.
+  /// of it. It is pulled back onto the surface afterwards, by `Pass::split` at the end of the pass.
   template <class Vertex, class Mesh>
   void after_split(Vertex v, const Mesh& mesh);
 
@@ -67,8 +67,8 @@ public:
   template <class Vertex, class Mesh>
   void after_collapse(Vertex v, const Mesh& mesh);
 
-  /// called before the edge of `h` is flipped, by the flip pass or in a glide. A glide that turns out to be impossible
-  /// half-way is undone by flips that are announced, too.
+  /// called before the edge of `h` is flipped, by whichever pass. A glide that turns out to be impossible half-way is undone by
+  /// flips that are announced, too.
   template <class Halfedge, class Mesh>
   void before_flip(Halfedge h, const Mesh& mesh);
 

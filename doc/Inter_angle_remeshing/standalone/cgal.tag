@@ -10,6 +10,7 @@
     <name>thirdparty</name>
     <title>Essential and Optional Third Party Dependencies</title>
     <filename>Manual/thirdparty.html</filename>
+    <docanchor file="Manual/thirdparty.html" title="Eigen">thirdpartyEigen</docanchor>
     <docanchor file="Manual/thirdparty.html" title="TBB">thirdpartyTBB</docanchor>
   </compound>
   <compound kind="page">

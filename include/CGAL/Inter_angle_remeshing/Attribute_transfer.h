@@ -89,7 +89,7 @@ but not to two runs at a time.
 
 Complexity: linear in the size of the result.
 
-\cgalModels `RemeshingVisitor`
+\cgalModels{RemeshingVisitor}
 
 @tparam TriangleMesh the type of the mesh
 */

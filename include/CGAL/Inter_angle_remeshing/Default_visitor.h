@@ -40,7 +40,7 @@ are `get(CGAL::vertex_point, mesh)`, in the user's units. Descriptors of it hold
 All members are called one at a time, whatever the concurrency tag. An exception that one of them throws ends the run
 and leaves the user's mesh as it was.
 
-\cgalModels `RemeshingVisitor`
+\cgalModels{RemeshingVisitor}
 */
 struct Default_visitor
 {

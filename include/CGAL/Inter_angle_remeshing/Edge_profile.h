@@ -40,8 +40,8 @@ The edge runs from `source()` to `target()`. `left_vertex()` is opposite to it i
 missing. The profile of a collapse has the vertex that would be removed as its source and the one that would be kept
 as its target.
 
-Nothing is computed before it is asked for. Each function takes constant time, except that those about valences may
-take time proportional to the valence, as the mesh type has it. Lengths are in the user's units, angles in degrees.
+Nothing is computed before it is asked for. Each function takes constant time, except that those about valences and borders
+may take time proportional to the valence, as the mesh type has it. Lengths are in the user's units, angles in degrees.
 
 A policy must base its decision on the members documented here alone: operations are evaluated beforehand,
 concurrently under `Parallel_tag`, and are evaluated anew only if something that these members depend on has changed.

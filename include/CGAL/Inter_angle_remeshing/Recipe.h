@@ -55,7 +55,8 @@ struct Recipe
   double relaxation = 1.5;
   /// the weights of the centre
   Weights weights = Weights::uniform;
-  /// sweeps of relaxation in an iteration; the named parameter `number_of_relaxation_steps` rules over both counts
+  /// sweeps of relaxation in an iteration; the named parameter `number_of_relaxation_steps` rules over both counts. With 0 there are
+  /// no fit, polish, repair, lowering of distances and coarser levels, either: all of them move vertices.
   unsigned sweeps = 3;
   /// sweeps in each of the last two iterations
   unsigned last_sweeps = 8;
@@ -74,8 +75,8 @@ struct Recipe
   double collapse_tolerance = 0.15;
   /// whether, where the target length is well under that of the input's edges, the iterations run on a coarser level, whose faces
   /// are then cut into four until they have the target length: several times faster, and the vertices are more regular. Levels
-  /// are chosen such that they resolve the input; where none does, where a policy, also the paper's, or a grading rules the
-  /// edges, or edges of the range are protected, the iterations run on the target length all the same.
+  /// are chosen such that they resolve the input; where none does, where a policy, also the paper's, a `false` in its place, or a
+  /// grading rules the edges, or edges of the range are protected, the iterations run on the target length all the same.
   bool multi_level = true;
   /// by how much the target length rises with the distance from curves whose edges must be shorter than it is, where details
   /// are small or strips narrow, as a slope: such edges bring the target near them down to their own length, but not below 0.3 of
@@ -92,8 +93,8 @@ struct Recipe
   /// that no edge leads across and cuts the crest off. They are released before the clean-up: angles beside them are as good as
   /// elsewhere, and neither the report nor an edge map knows them. A body is thin where crests are at least 0.6 times as long as the root
   /// of the area of the range; those that are shorter than two target lengths for each end that leads nowhere do not count. 0: none
-  /// guide, at most 2. None does where the input is noisy or stairs of voxels, with length 0, where a policy is handed over or features
-  /// may not be collapsed, without projection, and with a projection functor that knows no surface.
+  /// guide, at most 2. None does where the input is noisy or stairs of voxels, with length 0, where a policy, or `false` in its place, is
+  /// handed over or features may not be collapsed, without projection, and with a projection functor that knows no surface.
   double crest_width = 0.8;
   /// how densely ridges and grooves of CAD models may lie where features are found by themselves, see `detect_features()`: where a cube
   /// of two target lengths has more than so many target lengths of each, and they are low, they are a relief that no edges of the
@@ -101,11 +102,12 @@ struct Recipe
   double relief_density = 5;
   /// the distance, in target lengths, up to which the ends of an edge are merged before the run where both are corners of features
   /// or borders, or where it leads from one of these to another: corners that CAD systems export twice, chamfers as narrow as a
-  /// rounding error. They would stay, with needles between them. The visitor is not told, and the report does not count them.
+  /// rounding error. They would stay, with needles between them. The visitor is not told, and the report does not count them. Where
+  /// chains along the middle of fillets meet, see `fillet_width`, the distance is 0.35.
   /// A plate or slit that is as thin stays, whose sides look to opposite directions within 30 degrees, and so does what would make a
   /// mesh cross itself that does not.
-  /// Nothing is merged where `edge_is_constrained_map`, `sharpness_angle`, `face_patch_map`, a policy or a projection functor is
-  /// handed over, or where features and borders may not be collapsed; vertices that may not move stay. 0 turns it off, at most 0.1.
+  /// Nothing is merged where `edge_is_constrained_map`, `sharpness_angle`, `face_patch_map`, a policy, a `false` in its place or a
+  /// projection functor is handed over, or where features and borders may not be collapsed; vertices that may not move stay. 0 turns it off, at most 0.1.
   double merging_distance = 0.02;
   /// whether, after the last iteration, valences of 4 and less and angles out of the band are mended, and faces fitted
   bool clean_up = true;
@@ -125,10 +127,11 @@ struct Recipe
   double upper_angle = 88;
   /// whether the clean-up tries flips, collapses and splits where moving vertices does not reach the band, at folds, and where faces
   /// cross others: though the input does not cross itself there, or, where the target length is 1.5 times as long as the edges of
-  /// the input or longer, where that is easy
+  /// the input or longer, where that is easy; of noisy scans, everywhere
   bool repair = true;
   /// the largest distance between the result and the surface that the clean-up leaves alone, in target lengths. Larger ones,
-  /// at tips and in crevices, are lowered as far as the angles allow. 0 turns that off, as does a projector of another surface.
+  /// at tips and in crevices, are lowered as far as the angles allow. 0 turns that off, as do a projector of another surface and a
+  /// target length of less than half of the mean altitude of the surface's faces.
   double distance_tolerance = 0.22;
   /// which policies rule where the user hands none over
   Policies policies = Policies::measured;

@@ -37,7 +37,8 @@ struct Remeshing_report
     all_sharp_edges,  ///< found by themselves, beside the borders of patches: the model is a CAD model, every edge of 40
                       ///< degrees and more, but for reliefs too fine for the target length, and narrow fillets
     outstanding_edges ///< found by themselves, beside the borders of patches: long chains of edges that stand out of their
-                      ///< surroundings, creases of coarse models, narrow fillets of parts without a sharp edge
+                      ///< surroundings, creases of coarse models, narrow fillets of parts without a sharp edge, the sharp edges of
+                      ///< components that are CAD models
   };
 
   /// the angles of a set of triangles, in degrees; a triangle with two equal corners counts in the extremes as of 0 and 180
@@ -99,8 +100,8 @@ struct Remeshing_report
   /// the number of faces of the range that cross others of it in the end, as many do where the input crosses itself; two that share
   /// an edge do not; 0 where they were not looked for
   std::size_t crossing_faces = 0;
-  /// whether they were looked for: `Recipe::clean_up` and `Recipe::repair` are on, vertices may move, there is a length, and it is not
-  /// much less than the altitudes of the surface's faces, or a face is out of the band
+  /// whether they were looked for: `Recipe::clean_up` and `Recipe::repair` are on, vertices may move, and the target length is not
+  /// much less than the altitudes of the surface's faces, or a face is out of the band, or the projector knows no faces
   bool are_crossing_faces_known = false;
   /// the angles of the range before
   Angles angles_before;

@@ -29,7 +29,7 @@ Source: Zheng and Lv, <em>Isotropic Remeshing with Inter-Angle Optimization</em>
 
 @tparam Base another policy, asked first
 
-\cgalModels `RemeshingPolicy`
+\cgalModels{RemeshingPolicy}
 */
 template <class Base = Permit_all>
 class Inter_angle_split_policy

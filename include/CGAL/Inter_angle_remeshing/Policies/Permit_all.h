@@ -14,7 +14,7 @@ namespace Inter_angle_remeshing {
 @brief a policy that permits every operation: plain Botsch-Kobbelt remeshing, and the end of a chain of policies
 that decorate each other.
 
-\cgalModels `RemeshingPolicy`
+\cgalModels{RemeshingPolicy}
 */
 struct Permit_all
 {

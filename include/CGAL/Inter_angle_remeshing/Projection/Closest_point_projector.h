@@ -41,7 +41,7 @@ All queries are const and may run concurrently. One without a known place takes 
 @tparam VertexPointMap a model of `ReadablePropertyMap` with the vertices of `TriangleMesh` as key type and a point of a
         \cgal kernel as value type
 
-\cgalModels `RemeshingProjector`
+\cgalModels{RemeshingProjector}
 */
 template <class TriangleMesh,
           class VertexPointMap = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>

@@ -54,7 +54,7 @@ the idea; one fit at each vertex in the place of one at each query.
 @tparam VertexPointMap a model of `ReadablePropertyMap` with the vertices of `TriangleMesh` as key type and a point of a
         \cgal kernel as value type
 
-\cgalModels `RemeshingProjector`
+\cgalModels{RemeshingProjector}
 */
 template <class TriangleMesh,
           class VertexPointMap = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>

@@ -48,7 +48,7 @@ Visualization 2001; X. Zheng and Z. Lv, <em>Isotropic Remeshing with Inter-Angle
 
 @tparam Point a point of a \cgal kernel
 
-\cgalModels `RemeshingProjector`
+\cgalModels{RemeshingProjector}
 */
 template <class Point>
 class Point_set_MLS_projector
