@@ -1090,16 +1090,17 @@ enum class Place
 struct Burnt
 {};
 
-// Burns, once, at a place when it is passed for the n-th time.
+// Burns at a place when it is passed for the n-th time; once, or each time from then on.
 struct Fuse
 {
   Place place = Place::nowhere;
   int countdown = 0;
+  bool burns_again = false;
   bool has_burnt = false;
 
   void pass(Place p)
   {
-    if(p != place || --countdown != 0)
+    if(p != place || (--countdown != 0 && !(burns_again && has_burnt)))
       return;
     has_burnt = true;
     throw Burnt();
@@ -1650,6 +1651,36 @@ void an_exception_leaves_everything_as_it_was()
     }
 }
 
+// Maps that can only be read say what is constrained as others do.
+template <class Graph>
+void maps_may_be_read_only()
+{
+  std::vector<Picture<Graph>> results;
+  for(const bool can_be_written : {true, false})
+  {
+    const auto w = uneven_workpiece<Graph>();
+    std::map<Edge_of<Graph>, bool> marks;
+    for(const auto e : CGAL::edges(w->mesh))
+      marks[e] = w->source_point(e).y() == 0 && w->target_point(e).y() == 0;
+    std::map<Face_of<Graph>, int> patches;
+    for(const auto f : faces(w->mesh))
+      patches[f] = (*w->patches.values)[f];
+    const auto marks_before = marks;
+    const auto patches_before = patches;
+    const auto remesh = [&](auto edge_map, auto patch_map) {
+      IAR::isotropic_remeshing(UNEVEN_LENGTH, w->mesh, parameters::edge_is_constrained_map(edge_map).face_patch_map(patch_map));
+    };
+    if(can_be_written)
+      remesh(boost::make_assoc_property_map(marks), boost::make_assoc_property_map(patches));
+    else
+      remesh(boost::const_associative_property_map<std::map<Edge_of<Graph>, bool>>(marks),
+             boost::const_associative_property_map<std::map<Face_of<Graph>, int>>(patches));
+    CHECK((marks == marks_before && patches == patches_before) == !can_be_written);
+    results.emplace_back(w->mesh);
+  }
+  CHECK(results[0] == results[1]);
+}
+
 // Edges that are about to be removed lose their marks; where one of them cannot, all stay, and so do their marks.
 template <class Graph>
 void marks_come_back_where_their_map_fails()
@@ -1671,6 +1702,32 @@ void marks_come_back_where_their_map_fails()
     CHECK_MESSAGE(are_equal_but_for_garbage(Picture<Graph>(w->mesh), before), countdown);
     for(const auto e : CGAL::edges(w->mesh))
       CHECK_MESSAGE(w->edges[e] == (edges_before.count(e) > 0 && edges_before.at(e)), countdown);
+  }
+}
+
+// Where a map of points fails for good, those that were put before it did cannot come back; everything else is as it was.
+template <class Graph>
+void a_map_that_fails_for_good_leaves_a_mesh()
+{
+  for(const int countdown : {1, 2, 40})
+  {
+    const auto w = uneven_workpiece<Graph>();
+    const Picture<Graph> before(w->mesh);
+    const auto edges_before = *w->edges.values;
+    w->fuse = Fuse{Place::put_point, countdown, true};
+    bool has_thrown = false;
+    try
+    {
+      w->remesh_with_fuses(UNEVEN_LENGTH, Identity_of_points{&w->fuse});
+    }
+    catch(const Burnt&)
+    {
+      has_thrown = true;
+    }
+    CHECK_MESSAGE(has_thrown && is_valid_mesh(w->mesh), countdown);
+    CHECK_MESSAGE(countdown > 1 || are_equal_but_for_garbage(Picture<Graph>(w->mesh), before), countdown);
+    CHECK(all_faces(w->mesh).size() == all_faces(uneven_workpiece<Graph>()->mesh).size());
+    CHECK(*w->edges.values == edges_before);
   }
 }
 
@@ -1787,11 +1844,14 @@ int main()
   constraints_are_kept<Mesh>();
   constraints_are_kept<Polyhedron>();
 
+  maps_may_be_read_only<Mesh>();
   without_an_exception_everything_happens<Mesh>();
   an_exception_leaves_everything_as_it_was<Mesh>();
   marks_come_back_where_their_map_fails<Mesh>();
+  a_map_that_fails_for_good_leaves_a_mesh<Mesh>();
   an_exception_leaves_everything_as_it_was<Polyhedron>();
   marks_come_back_where_their_map_fails<Polyhedron>();
+  a_map_that_fails_for_good_leaves_a_mesh<Polyhedron>();
   running_out_of_memory_leaves_the_mesh_as_it_was<Mesh>();
   running_out_of_memory_leaves_the_mesh_as_it_was<Polyhedron>();
 #ifdef CGAL_LINKED_WITH_TBB

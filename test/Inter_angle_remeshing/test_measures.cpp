@@ -6,6 +6,7 @@
 #include <CGAL/Inter_angle_remeshing/surface_distance.h>
 #include <CGAL/Inter_angle_remeshing/triangle_quality.h>
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Polyhedron_3.h>
@@ -358,6 +359,27 @@ void other_meshes_kernels_and_point_maps()
               IAR::surface_distance(to_mesh(sphere(2)), to_mesh(sphere(1)))));
 }
 
+// Measures of points that were constructed are those of the exact points, however often they are asked for.
+void constructed_points_are_measured_exactly()
+{
+  using Lazy_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+  const Lazy_kernel::FT third = Lazy_kernel::FT(1e10) / 3;
+  const Lazy_kernel::Vector_3 far_away(third, third, third);
+  const auto there_and_back = [&]() {
+    auto m = to_mesh<CGAL::Surface_mesh<Lazy_kernel::Point_3>>(sphere(1));
+    for(const auto v : m.vertices())
+      m.point(v) = m.point(v) + far_away - far_away;
+    return m;
+  };
+  const Mesh plain = to_mesh(sphere(1));
+  const auto m = there_and_back(), other = there_and_back();
+  for(int call = 0; call < 2; ++call)
+  {
+    CHECK(equal(IAR::inter_angle_statistics(m), IAR::inter_angle_statistics(plain)));
+    CHECK(equal(IAR::surface_distance(other, plain), IAR::surface_distance(plain, plain)));
+  }
+}
+
 void angles_of_bad_faces_are_refused()
 {
   using Refusal = CGAL::Precondition_exception;
@@ -603,6 +625,7 @@ int main()
   empty_range_gives_zeros();
   a_range_is_measured_for_itself();
   other_meshes_kernels_and_point_maps();
+  constructed_points_are_measured_exactly();
   angles_of_bad_faces_are_refused();
 
   a_shifted_square_is_as_far_as_it_was_shifted();

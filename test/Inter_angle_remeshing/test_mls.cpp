@@ -378,6 +378,11 @@ void odd_input_is_survived()
       CHECK(distance(p, q) < scale);
     });
     CHECK(is_finite(mls.project(Point(5.4 * scale, 5 * scale, 5 * scale))));
+    for(const double far_away : {1e200, -1e300})
+    {
+      CHECK(is_finite(mls.project(Point(far_away, 0, 0))));
+      CHECK(is_finite(IAR::Closest_point_projector<Mesh>(m).project(Point(far_away, 0, 0))));
+    }
   }
   const Mesh face = to_mesh<Mesh>(Soup{{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}}, {{{0, 1, 2}}}});
   CHECK(distance(Mls(face).project(Point(.2, .3, 1)), Point(.2, .3, 0)) < 1e-14);

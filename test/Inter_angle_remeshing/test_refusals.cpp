@@ -299,6 +299,27 @@ void vertices_with_too_many_faces_are_refused()
   CHECK(CGAL::is_valid_polygon_mesh(many));
 }
 
+// A cone of one face, two edges of which are one.
+void faces_glued_to_themselves_are_refused()
+{
+  Mesh m;
+  const Mesh::Vertex_index tip = m.add_vertex(Point(0, 0, 1)), foot = m.add_vertex(Point(1, 0, 0));
+  const Mesh::Halfedge_index side = m.add_edge(foot, tip), rim = m.add_edge(foot, foot);
+  const Mesh::Face_index f = m.add_face();
+  const std::array<Mesh::Halfedge_index, 3> around = {side, m.opposite(side), rim};
+  for(int k = 0; k < 3; ++k)
+  {
+    m.set_next(around[k], around[(k + 1) % 3]);
+    m.set_face(around[k], f);
+  }
+  m.set_next(m.opposite(rim), m.opposite(rim));
+  m.set_halfedge(f, side);
+  m.set_halfedge(tip, side);
+  m.set_halfedge(foot, m.opposite(side));
+  CHECK(m.is_valid() && !CGAL::is_valid_polygon_mesh(m));
+  check_refused(m, "two edges of face number 0 of the range are one", [](Mesh& g) { IAR::isotropic_remeshing(.1, g); });
+}
+
 // Triangles whose sides are named: as many edges between two vertices as have names.
 struct Named_triangle
 {
@@ -402,7 +423,12 @@ void no_iteration_is_nothing_to_do()
 {
   Mesh m = to_mesh<Mesh>(sphere(1));
   const Picture<Mesh> before(m);
-  const Report report = IAR::isotropic_remeshing(.1, m, parameters::number_of_iterations(0));
+  std::vector<double> told;
+  const Report report = IAR::isotropic_remeshing(.1, m, parameters::number_of_iterations(0).callback([&](double progress) {
+    told.push_back(progress);
+    return true;
+  }));
+  CHECK(told == std::vector<double>{1});
   CHECK(report.ending == Report::Ending::nothing_to_do && report.iterations == 0);
   CHECK(report.input_faces == m.number_of_faces() && report.output_faces == m.number_of_faces());
   CHECK(report.target_edge_length == .1 && report.angles_after.minimum > 40);
@@ -1095,6 +1121,7 @@ int main()
   counts_that_do_not_fit_are_refused();
   recipes_out_of_range_are_refused();
   vertices_with_too_many_faces_are_refused();
+  faces_glued_to_themselves_are_refused();
   doubled_edges_are_refused_only_where_they_are_protected();
   an_empty_range_is_nothing_to_do();
   rounds_of_flips_end_when_nothing_is_left_to_flip();

@@ -10,7 +10,7 @@ parameter `projection_functor` of `CGAL::Inter_angle_remeshing::isotropic_remesh
 
 A model offers at least one of the two operators below; where it offers both, the one that takes a point is called.
 The one that takes a vertex is that of `CGAL::Polygon_mesh_processing::isotropic_remeshing()`, so that functors written
-for that function work here.
+for that function work here; but a generic lambda is asked for a point, and one of vertices must name their type.
 
 A functor that is handed over is copied, several times; hand large ones and those with a state over by `std::ref()`.
 An exception ends the run, passes through, and leaves the user's mesh as it was; so does a

@@ -5,11 +5,10 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_EDGE_PROFILE_H
 #define CGAL_INTER_ANGLE_REMESHING_EDGE_PROFILE_H
 
-#include <CGAL/Inter_angle_remeshing/internal/Vector3.h>
+#include <CGAL/Inter_angle_remeshing/internal/to_vector3.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -221,8 +220,7 @@ private:
 
   Vector3 position(vertex_descriptor v) const
   {
-    const auto& p = get(vpm_, v);
-    return {scale_ * CGAL::to_double(p.x()), scale_ * CGAL::to_double(p.y()), scale_ * CGAL::to_double(p.z())};
+    return scale_ * internal::to_vector3(get(vpm_, v));
   }
 
   std::array<double, 4> adjacent_cosines() const;

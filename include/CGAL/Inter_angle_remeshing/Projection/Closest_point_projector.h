@@ -93,7 +93,7 @@ private:
   {
     const double unit = surface_->unit();
     Index f = 0;
-    const Vector3 q = unit * surface_->locate((1 / unit) * internal::to_vector3(p), f, normal);
+    const Vector3 q = unit * surface_->locate(internal::to_vector3(p, unit), f, normal);
     return Point_3(q.x, q.y, q.z);
   }
 

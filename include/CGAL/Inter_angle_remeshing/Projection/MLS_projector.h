@@ -111,7 +111,7 @@ public:
 
 private:
   double unit() const { return reference_->surface().unit(); }
-  Vector3 to_flat(const Point_3& p) const { return (1 / unit()) * internal::to_vector3(p); }
+  Vector3 to_flat(const Point_3& p) const { return internal::to_vector3(p, unit()); }
 
   Point_3 project(const Point_3& p, const Vector3& normal) const
   {

@@ -83,7 +83,7 @@ public:
   /// returns the projection of `p`.
   Point_3 project(const Point_3& p) const
   {
-    const Vector3 r = data_->unit * projection((1 / data_->unit) * internal::to_vector3(p));
+    const Vector3 r = data_->unit * projection(internal::to_vector3(p, data_->unit));
     return Point_3(r.x, r.y, r.z);
   }
 

@@ -19,6 +19,9 @@ struct Schedule
   std::size_t wanted_faces;              // 0: the target length holds throughout
   std::function<bool(double)> callback;
   bool is_verbose;
+
+  // Tells the callback, where there is nothing to do, that nothing is left to do.
+  void tell_end() const { if (callback) callback(1); }
 };
 
 } // namespace internal

@@ -12,6 +12,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 // Carries the user's marks over to the flat mesh, and back.
@@ -87,10 +88,15 @@ void mark_constraints(Exchange& exchange, const TriangleMesh& tmesh, const EdgeI
       if (get(vcm, exchange.input_vertices()[v])) mesh.add_marks(v, Remeshing_mesh::LOCKED);
 }
 
+// Boost's tag of maps that return references says that they can be written, of references to what is const, too.
 template <class Map>
 constexpr bool is_writable()
 {
-  return std::is_convertible<typename boost::property_traits<Map>::category, boost::writable_property_map_tag>::value;
+  using Traits = boost::property_traits<Map>;
+  using Category = typename Traits::category;
+  constexpr bool refers_to_const = std::is_convertible<Category, boost::lvalue_property_map_tag>::value &&
+                                   std::is_const<std::remove_reference_t<typename Traits::reference>>::value;
+  return std::is_convertible<Category, boost::writable_property_map_tag>::value && !refers_to_const;
 }
 
 // No edge that is about to be removed stays constrained: its descriptor may name another one some day. Those that were are noted in

@@ -114,6 +114,7 @@ private:
     const halfedge_descriptor o = opposite(copy_.halfedge(h), tmesh_);
     const auto f = face(o, tmesh_);
     const Index g = f == Traits::null_face() ? -1 : number.find(f);
+    if (g == h >> 2) refuse(caller_, "two edges of face number " + std::to_string(g) + " of the range are one");
     if (g < 0) { copy_.mesh.glue(h, ~h); return; }
     for (int k = 0; k < 3; ++k)
       if (copy_.halfedges[3 * g + k] == o) copy_.mesh.glue(h, 4 * g + k);
@@ -214,7 +215,7 @@ private:
 
   Vector3 read_point(vertex_descriptor v) const
   {
-    const Vector3 q = exact_to_vector3(get(vpm_, v));
+    const Vector3 q = to_vector3(get(vpm_, v));
     if (!is_finite(q))
       refuse(caller_, "vertex number " + std::to_string(copy_.vertices.size() - 1) +
                       " of the range has a coordinate that is not finite");

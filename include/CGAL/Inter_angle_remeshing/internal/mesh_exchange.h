@@ -235,10 +235,11 @@ private:
     return (needed + step - 1) / step * step;
   }
 
-  // Undoes set_points() and make_room().
+  // Undoes set_points(), as far as the user's map lets it, and make_room().
   void take_back()
   {
-    for (const auto& [v, point] : old_points_) put(vpm_, v, point);
+    for (const auto& [v, point] : old_points_)
+      try { put(vpm_, v, point); } catch (...) {}       // of two exceptions, the one that is under way counts
     while (vertices_made_ > 0) remove_vertex(vertex_of_[new_vertices_[--vertices_made_]], tmesh_);
     for (; copy_.faces.size() > faces_before_; copy_.faces.pop_back()) remove_face(copy_.faces.back(), tmesh_);
     for (; spare_edges_.size() > edges_before_; spare_edges_.pop_back())
@@ -303,7 +304,7 @@ private:
     for (Index v = 0; v < Index(vertex_of_.size()); ++v) {
       if (mesh.input(v) >= 0) {
         const Point_3 old = get(vpm_, vertex_of_[v]);
-        if (mesh.position(v) == (1 / mesh.unit()) * exact_to_vector3(old)) continue;
+        if (mesh.position(v) == (1 / mesh.unit()) * to_vector3(old)) continue;
         old_points_.emplace_back(vertex_of_[v], old);
       }
       const Vector3 p = mesh.unit() * mesh.position(v);

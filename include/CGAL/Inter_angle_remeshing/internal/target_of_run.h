@@ -130,14 +130,14 @@ Target read_field(const Field& field, bool is_scaled, Exchange& exchange, Triang
   lengths.reserve(exchange.input_vertices().size());
   for (const Vertex v : exchange.input_vertices()) {
     double l;
-    if constexpr (Is_sizing_field<Field, Vertex, TriangleMesh>::value) l = CGAL::to_double(field.at(v, tmesh));
-    else l = CGAL::to_double(field(Point_3(get(vpm, v))));
-    lengths.push_back(checked_length(l, exact_to_vector3(get(vpm, v))));
+    if constexpr (Is_sizing_field<Field, Vertex, TriangleMesh>::value) l = exact_to_double(field.at(v, tmesh));
+    else l = exact_to_double(field(Point_3(get(vpm, v))));
+    lengths.push_back(checked_length(l, to_vector3(get(vpm, v))));
   }
   const double unit = is_scaled ? *std::max_element(lengths.begin(), lengths.end()) : mesh.unit();
   for (double& l : lengths) l = (std::min)(LONGEST_LENGTH, l / unit);
   if constexpr (!Is_sizing_field<Field, Vertex, TriangleMesh>::value)
-    function = [&field](const Vector3& p) { return CGAL::to_double(field(Point_3(p.x, p.y, p.z))); };
+    function = [&field](const Vector3& p) { return exact_to_double(field(Point_3(p.x, p.y, p.z))); };
   else if (std::adjacent_find(lengths.begin(), lengths.end(), std::not_equal_to<double>()) == lengths.end())
     return {lengths.front(), 0, Sizing()};
   Sizing sizing(mesh, lengths, unit, std::move(function));

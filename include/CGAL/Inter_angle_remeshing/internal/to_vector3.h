@@ -9,19 +9,13 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
-
-// From a point or vector of any kernel.
-template <class Triple>
-Vector3 to_vector3(const Triple& t)
-{
-  return {CGAL::to_double(t.x()), CGAL::to_double(t.y()), CGAL::to_double(t.z())};
-}
 
 template <class T, class = void>
 struct Is_lazy : std::false_type {};
@@ -39,11 +33,21 @@ double exact_to_double(const Number& x)
   return CGAL::to_double(x);
 }
 
-// The same for the points of a mesh, which are read more than once.
-template <class Point>
-Vector3 exact_to_vector3(const Point& p)
+// From a point or vector of any kernel.
+template <class Triple>
+Vector3 to_vector3(const Triple& t)
 {
-  return {exact_to_double(p.x()), exact_to_double(p.y()), exact_to_double(p.z())};
+  return {exact_to_double(t.x()), exact_to_double(t.y()), exact_to_double(t.z())};
+}
+
+// The same in another unit of length; what is so far away that squares of coordinates would not be finite is brought nearer.
+template <class Point>
+Vector3 to_vector3(const Point& p, double unit)
+{
+  constexpr double FARTHEST = 1e150;
+  const auto bounded = [=](double x) { return (std::min)((std::max)(x, -FARTHEST), FARTHEST); };
+  const Vector3 q = (1 / unit) * to_vector3(p);
+  return {bounded(q.x), bounded(q.y), bounded(q.z)};
 }
 
 } // namespace internal

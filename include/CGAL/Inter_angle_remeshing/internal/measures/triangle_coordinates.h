@@ -5,9 +5,10 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_MEASURES_TRIANGLE_COORDINATES_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_MEASURES_TRIANGLE_COORDINATES_H
 
+#include <CGAL/Inter_angle_remeshing/internal/to_vector3.h>
+
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/exceptions.h>
-#include <CGAL/number_utils.h>
 
 #include <array>
 #include <cmath>
@@ -38,7 +39,7 @@ bool bounds_triangle(Halfedge h, const TriangleMesh& tmesh)
 template <class Point>
 Coordinates double_coordinates(const Point& p)
 {
-  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+  return {exact_to_double(p.x()), exact_to_double(p.y()), exact_to_double(p.z())};
 }
 
 inline bool is_finite(const Coordinates& p)
