@@ -10,6 +10,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/corners.h>
 #include <CGAL/Inter_angle_remeshing/internal/crossings.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 
@@ -1809,12 +1811,50 @@ void needles_cross_what_they_cross()
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
+// What is left of a pass over two short edges of a pentagon, of which the first one belongs to a flat ear on the side of a spike: its
+// collapse makes that side a curve of the faces beyond, which the second one reads.
+template <class ConcurrencyTag>
+std::set<std::set<Flat::Index>> faces_after_collapses_beside_an_ear()
+{
+  namespace internal = IAR::internal;
+  enum { tip, middle, foot, side, ear, top };
+  Soup soup;
+  soup.points = {{0, 0, 0}, {.5, 0, 0}, {1, 0, 0}, {.45, .15, 0}, {.22, .08, 0}, {.8, .5, 0}};
+  soup.faces = {{tip, middle, side}, {tip, side, ear}, {middle, top, side}, {middle, foot, top}};
+  Mesh user = to_mesh<Mesh>(soup);
+  const auto points = get(CGAL::vertex_point, user);
+  internal::Mesh_exchange<Mesh, Point_map_of<Mesh>> exchange(faces(user), user, points, "test");
+  Flat mesh = exchange.take_mesh();
+  std::vector<Flat::Index> flat(soup.points.size());
+  for(std::size_t v = 0; v < flat.size(); ++v)
+    flat[exchange.input_vertices()[v]] = Flat::Index(v);
+  internal::lock_corners(mesh, std::vector<double>(flat.size(), 0));
+  internal::Input_curves curves(mesh);
+  const IAR::Recipe recipe;
+  const internal::Sizing uniform;
+  const internal::Projection none;
+  internal::Run_visitor visitor;
+  internal::Remeshing_context context(mesh, recipe, curves, uniform, none, visitor, 1 / mesh.unit());
+  const auto edge = [&](int u, int v) {
+    const auto h = mesh.find_halfedge(flat[u], flat[v]);
+    return h >= 0 ? h : mesh.find_halfedge(flat[v], flat[u]);
+  };
+  std::vector<Flat::Index> short_edges = {edge(ear, tip), edge(middle, foot)};
+  CHECK(internal::collapse_pass<ConcurrencyTag>(context, short_edges) > 0);
+  std::set<std::set<Flat::Index>> result;
+  for(Flat::Index g = 0; g < Flat::Index(mesh.number_of_face_slots()); ++g)
+    if(mesh.is_face(g))
+      result.emplace(std::begin(mesh.face_record(g).vertex), std::end(mesh.face_record(g).vertex));
+  return result;
+}
+
 void threads_do_not_change_a_bit()
 {
   Mesh sequential = to_mesh<Mesh>(torus(30, 20, .4)), parallel = sequential;
   IAR::isotropic_remeshing<CGAL::Sequential_tag>(.07, sequential);
   IAR::isotropic_remeshing<CGAL::Parallel_tag>(.07, parallel);
   CHECK(Picture<Mesh>(sequential) == Picture<Mesh>(parallel));
+  CHECK(faces_after_collapses_beside_an_ear<CGAL::Sequential_tag>() == faces_after_collapses_beside_an_ear<CGAL::Parallel_tag>());
 }
 #endif
 

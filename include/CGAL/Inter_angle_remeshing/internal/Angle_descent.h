@@ -147,10 +147,11 @@ private:
     });
   }
 
-  // What a fit has put p off the surface: all of it, so that a step of no length leads to p again.
+  // What a fit, or the lowering of distances, has put p off the surface: all of it, so that a step of no length leads to p again.
   Vector3 offset_of(const Vector3& p, Index& hint) const
   {
-    if (!context_.projector.has_faces() || context_.recipe.fits == 0) return {};
+    const bool lie_on_surface = context_.recipe.fits == 0 && !(context_.recipe.distance_tolerance > 0);
+    if (!context_.projector.has_faces() || lie_on_surface) return {};
     return p - context_.projector(p, hint);
   }
 

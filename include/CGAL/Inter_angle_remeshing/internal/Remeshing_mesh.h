@@ -606,6 +606,8 @@ inline void Remeshing_mesh::collapse(Index h)
     glue(outer_n, outer_q);
     if (outer_q >= 0) set_label(outer_q, merged);
     if (outer_n >= 0) set_label(outer_n, merged.reversed());
+    for (const Index o : {outer_n, outer_q})                 // one of them lies outside of the star
+      if (o >= 0) touch(apex(o));
     --state_[c].valence;
     first_[c] = outer_n >= 0 ? outer_n : next(outer_q);
     first_[b] = outer_q >= 0 ? outer_q : next(outer_n);

@@ -47,8 +47,8 @@ class Repairer
   static constexpr std::size_t LEAST_TRIALS = 200, TRIALS_PER_BAD_FACE = 10, FACES_PER_TRIAL = 40, CROSSING_TRIALS = 6;
   // An operation stays if it takes away this part of what is bad around it.
   static constexpr double NOTICEABLE = 0.02;
-  // One that at first makes it so much worse is not worth a sweep: an angle 42 degrees out of its band.
-  static constexpr double HOPELESS = 16000;
+  // One that at first makes it so much worse is not worth a sweep: an angle 53 degrees out of its band.
+  static constexpr double HOPELESS = 32000;
   // To unfold a face the mesh may withdraw so many times as far.
   static constexpr double UNFOLDING = 2;
   // What an operation leaves is no farther from the surface, in target lengths, than this or than what was there: angles are not worth a
@@ -184,7 +184,7 @@ private:
     const double before = faults_.score_before(snapshot_.faces());
     const std::vector<Index> moving = ball(mesh_, operations_.attempt(operation), 1, marks_);
     const std::vector<Index> faces = faces_around(mesh_, moving, marks_);
-    if (!may_stay && !is_at_crossing(fault_) && faults_.score(faces, before + HOPELESS) >= before + HOPELESS) {
+    if (!may_stay && fault_ == Fault::angle && faults_.score(faces, before + HOPELESS) >= before + HOPELESS) {
       snapshot_.restore(mesh_);
       return 0;
     }
