@@ -304,7 +304,9 @@ void faces_glued_to_themselves_are_refused()
 {
   Mesh m;
   const Mesh::Vertex_index tip = m.add_vertex(Point(0, 0, 1)), foot = m.add_vertex(Point(1, 0, 0));
-  const Mesh::Halfedge_index side = m.add_edge(foot, tip), rim = m.add_edge(foot, foot);
+  const Mesh::Halfedge_index side = m.add_edge(foot, tip), rim = halfedge(CGAL::add_edge(m), m);
+  m.set_target(rim, foot);
+  m.set_target(m.opposite(rim), foot);
   const Mesh::Face_index f = m.add_face();
   const std::array<Mesh::Halfedge_index, 3> around = {side, m.opposite(side), rim};
   for(int k = 0; k < 3; ++k)
