@@ -107,7 +107,8 @@ struct Recipe
   /// A plate or slit that is as thin stays, whose sides look to opposite directions within 30 degrees, and so does what would make a
   /// mesh cross itself that does not.
   /// Nothing is merged where `edge_is_constrained_map`, `sharpness_angle`, `face_patch_map`, a policy, a `false` in its place or a
-  /// projection functor is handed over, or where features and borders may not be collapsed; vertices that may not move stay. 0 turns it off, at most 0.1.
+  /// projection functor is handed over, or where features and borders may not be collapsed; vertices that may not move stay. 0 turns
+  /// it off, at most 0.1.
   double merging_distance = 0.02;
   /// whether, after the last iteration, valences of 4 and less and angles out of the band are mended, and faces fitted
   bool clean_up = true;

@@ -20,7 +20,7 @@ struct Schedule
   std::function<bool(double)> callback;
   bool is_verbose;
 
-  // Tells the callback, where there is nothing to do, that nothing is left to do.
+  // Tells the callback that nothing is left to do; passes do that themselves.
   void tell_end() const { if (callback) callback(1); }
 };
 

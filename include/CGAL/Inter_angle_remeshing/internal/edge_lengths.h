@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// One half-edge of each edge whose squared length, over `scale(u, v)` for the vertices u and v of the edge, lies outside of [low, high].
+// One half-edge of each edge whose squared length is out of [low, high] times `scale(u, v)`, for the vertices u and v of the edge.
 // Lengths are taken face by face; the adjacency is looked at for the few hits only.
 template <class ConcurrencyTag, class Scale>
 std::vector<Remeshing_mesh::Index> edges_out_of(const Remeshing_mesh& mesh, double low, double high, const Scale& scale)

@@ -239,7 +239,7 @@ private:
   void take_back()
   {
     for (const auto& [v, point] : old_points_)
-      try { put(vpm_, v, point); } catch (...) {}       // of two exceptions, the one that is under way counts
+      try { put(vpm_, v, point); } catch (...) {}    // of two exceptions, the one that is under way counts
     while (vertices_made_ > 0) remove_vertex(vertex_of_[new_vertices_[--vertices_made_]], tmesh_);
     for (; copy_.faces.size() > faces_before_; copy_.faces.pop_back()) remove_face(copy_.faces.back(), tmesh_);
     for (; spare_edges_.size() > edges_before_; spare_edges_.pop_back())

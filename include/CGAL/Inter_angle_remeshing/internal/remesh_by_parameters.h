@@ -57,7 +57,9 @@ Remeshing_report remesh_by_parameters(const FaceRange& faces, const Length& leng
                  is_left_to_the_recipe(get_parameter(np, tags::do_collapse)) &&
                  is_left_to_the_recipe(get_parameter(np, tags::do_flip))};
   set_sweeps(parameters.recipe, get_parameter(np, tags::number_of_relaxation_steps));
-  return remesh_range<ConcurrencyTag>(faces, length, tmesh, parameters);
+  const Remeshing_report report = remesh_range<ConcurrencyTag>(faces, length, tmesh, parameters);
+  if (report.ending == Remeshing_report::Ending::nothing_to_do) parameters.schedule.tell_end();
+  return report;
 }
 
 } // namespace internal

@@ -163,7 +163,6 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   check_recipe(parameters.recipe);
   if (range.begin() == range.end()) {
     check_length_value(length);
-    parameters.schedule.tell_end();
     return {};
   }
   Mesh_exchange<TriangleMesh, Vpm> exchange(range, tmesh, parameters.vertex_point_map, REMESHING);
@@ -171,10 +170,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   Target wanted = read_target(length, exchange, tmesh, parameters.vertex_point_map, total_length);
   double& target = wanted.length;
   const Remeshing_report untouched = untouched_report<Concurrency>(exchange.mesh(), target);
-  if (parameters.schedule.iterations == 0) {
-    parameters.schedule.tell_end();
-    return untouched;
-  }
+  if (parameters.schedule.iterations == 0) return untouched;
   parameters.schedule.wanted_faces = wanted.faces;
 
   mark_constraints(exchange, tmesh, parameters.edge_is_constrained_map, parameters.vertex_is_constrained_map,
