@@ -345,6 +345,42 @@ inline Soup cube(std::size_t n)
   return soup;
 }
 
+// The same, with a vertex in the middle of each edge between two sides that one of them lacks: a face without an area lies there.
+inline Soup cube_with_caps(std::size_t n)
+{
+  Soup soup = cube(n);
+  const std::size_t corners = soup.points.size();
+  const auto is_sharp = [&](std::size_t a, std::size_t b)
+  {
+    int planes = 0;
+    for(int axis = 0; axis < 3; ++axis)
+    {
+      const double x = soup.points[a][axis];
+      planes += x == soup.points[b][axis] && (x == 0 || x == 1);
+    }
+    return planes == 2;
+  };
+  std::vector<std::array<std::size_t, 3>> caps;
+  for(std::size_t f = 0; f < soup.faces.size(); ++f)
+    for(int k = 0; k < 3; ++k)
+    {
+      const auto face = soup.faces[f];
+      const std::size_t a = face[k], b = face[(k + 1) % 3], c = face[(k + 2) % 3];
+      if(a >= b || b >= corners || !is_sharp(a, b))
+        continue;
+      const std::size_t middle = soup.points.size();
+      soup.points.push_back({});
+      for(int axis = 0; axis < 3; ++axis)
+        soup.points[middle][axis] = .5 * (soup.points[a][axis] + soup.points[b][axis]);
+      caps.push_back({a, b, middle});
+      soup.faces.push_back({middle, b, c});
+      soup.faces[f] = {a, middle, c};
+      k = -1;
+    }
+  soup.faces.insert(soup.faces.end(), caps.begin(), caps.end());
+  return soup;
+}
+
 // The surface of the unit cells with their lower corners in [-n, n)^3 that `is_inside(corner)` names, two triangles for each side of
 // one that is outside.
 template <class Predicate>

@@ -171,6 +171,35 @@ void cad_models_have_all_their_sharp_edges()
 }
 
 // As few facets as 10 to 24 around: they meet at 36 to 15 degrees along lines that are much longer than the sharp edges.
+void faces_without_an_area_hide_no_edge()
+{
+  for(const int n : {1, 4})
+  {
+    const Mesh input = meshes::to_mesh<Mesh>(meshes::cube_with_caps(n));
+    CHECK(found_features(input).size() == std::size_t(24 * n));
+    for(const bool is_found : {true, false})
+    {
+      Mesh m = input;
+      const auto report = is_found ? IAR::isotropic_remeshing(.1, m)
+                                   : IAR::isotropic_remeshing(.1, m, parameters::sharpness_angle(40));
+      CHECK_MESSAGE(report.feature_edges == std::size_t(24 * n), report.feature_edges);
+      CHECK_MESSAGE(invariants::surface_distance(input, m, 10000).hausdorff() < 1e-9, n);
+      CHECK(report.angles_after.minimum > 30);
+    }
+  }
+}
+
+// Where vertices only move, the features are those of the edges that there are.
+void without_a_length_features_are_those_of_the_mesh()
+{
+  for(const char* name : {"bones", "fandisk", "b9_mesh"})
+  {
+    Mesh m = models::of_cgal(name);
+    const std::size_t found = found_features(m).size();
+    CHECK_MESSAGE(IAR::isotropic_remeshing(0, m, parameters::number_of_iterations(1)).feature_edges == found, name);
+  }
+}
+
 void cylinders_of_few_facets_are_cad_models()
 {
   const meshes::Profile pipe = {{1, 0}, {1, 6}, {.8, 6}, {.8, 0}}, shaft = {{1, 0}, {1, 4}, {1.5, 4}, {1.5, 5}, {1, 5}, {1, 9}, {.6, 9}, {.6, 14}},
@@ -2140,6 +2169,8 @@ int main()
   places_on_curves_are_found();
   the_energy_of_angles_has_its_gradient();
   cad_models_have_all_their_sharp_edges();
+  faces_without_an_area_hide_no_edge();
+  without_a_length_features_are_those_of_the_mesh();
   cylinders_of_few_facets_are_cad_models();
   of_two_sides_of_a_narrow_strip_one_is_a_feature();
   organic_models_have_next_to_none();

@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FACE_NORMALS_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/cross_products.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -31,19 +32,16 @@ public:
     : mesh_(mesh), normal_(mesh.number_of_face_slots()), doubled_area_(normal_.size())
   {
     for (Index f = 0; f < Index(normal_.size()); ++f) {
-      const Vector3 &a = mesh_.position(mesh_.origin(4 * f)), &b = mesh_.position(mesh_.origin(4 * f + 1)),
-                    &c = mesh_.position(mesh_.origin(4 * f + 2));
-      const Vector3 n = triangle_cross(a, b, c);
-      const double l = internal::length(n);
-      doubled_area_[f] = float(l);
-      if (!is_degenerate(n, a, b, c)) normal_[f] = (1 / l) * n;
+      doubled_area_[f] = float(internal::length(mesh.cross_product(f)));
+      const Vector3 n = cross_product_of_surface(mesh, f);
+      if (n != Vector3()) normal_[f] = internal::unit(n);
     }
     correct_folded_slivers();
   }
 
   const Remeshing_mesh& mesh() const { return mesh_; }
 
-  // Unit, by face; zero where the face has none.
+  // Unit, by face; zero where neither the face nor what it lies on has one.
   const std::vector<Vector3>& all() const { return normal_; }
   const Vector3& operator[](Index f) const { return normal_[f]; }
   void set(Index f, const Vector3& n) { normal_[f] = n; }
@@ -90,19 +88,11 @@ private:
   {
     std::vector<std::pair<Index, Vector3>> corrected;
     for (Index f = 0; f < Index(normal_.size()); ++f)
-      if (const Index h = longest_edge(f); is_folded_sliver(f, h)) {
+      if (const Index h = longest_edge(mesh_, f); is_folded_sliver(f, h)) {
         const Index o = mesh_.opposite(h);
-        corrected.emplace_back(f, o < 0 || is_folded_sliver(o >> 2, longest_edge(o >> 2)) ? Vector3() : normal_[o >> 2]);
+        corrected.emplace_back(f, o < 0 || is_folded_sliver(o >> 2, longest_edge(mesh_, o >> 2)) ? Vector3() : normal_[o >> 2]);
       }
     for (const auto& [f, n] : corrected) normal_[f] = n;
-  }
-
-  Index longest_edge(Index f) const
-  {
-    Index longest = 4 * f;
-    for (Index h = 4 * f + 1; h < 4 * f + 3; ++h)
-      if (mesh_.squared_edge_length(h) > mesh_.squared_edge_length(longest)) longest = h;
-    return longest;
   }
 
   // Whether face f, of which h is the longest edge, is thin and lies on a neighbor: where it looks says nothing about the surface.
@@ -121,7 +111,7 @@ private:
     double doubled_area = 0, longest = 0;
     for (std::size_t i = 0; i < faces.size(); ++i) {
       doubled_area += doubled_area_[faces[i]];
-      longest = (std::max)(longest, mesh_.squared_edge_length(longest_edge(faces[i])));
+      longest = (std::max)(longest, mesh_.squared_edge_length(longest_edge(mesh_, faces[i])));
       if (doubled_area > SLIVER * longest || i == LARGEST_SLIVER) return true;
       for (Index h = 4 * faces[i]; h < 4 * faces[i] + 3; ++h)
         if (const Index o = mesh_.opposite(h); o >= 0 && normal_[o >> 2] != Vector3() && cosine(h) > flat &&

@@ -132,6 +132,7 @@ private:
     const std::vector<Index> tips = tips_of_detours(h);
     mesh_.collapse(h);
     for (const Index c : tips) drop_spur(c);
+    forget_features(b);
     return true;
   }
 
@@ -164,11 +165,16 @@ private:
     if (spur < 0) return;
     const Index b = mesh_.target(spur);
     mesh_.remove_flags(spur, Remeshing_mesh::CONSTRAINED | Remeshing_mesh::FOUND | Remeshing_mesh::PASSING);
-    for (const Index v : {b, c}) {
-      bool is_on_feature = false;
-      for_each_curve_halfedge(mesh_, v, [&](Index h) { is_on_feature = is_on_feature || (h >= 0 && mesh_.is_constrained(h)); });
-      if (!is_on_feature) mesh_.remove_marks(v, Remeshing_mesh::ON_FEATURE);
-    }
+    forget_features(b);
+    forget_features(c);
+  }
+
+  // Vertex v may have lost the last feature that it was on.
+  void forget_features(Index v)
+  {
+    bool is_on_feature = false;
+    for_each_curve_halfedge(mesh_, v, [&](Index h) { is_on_feature = is_on_feature || (h >= 0 && mesh_.is_constrained(h)); });
+    if (!is_on_feature) mesh_.remove_marks(v, Remeshing_mesh::ON_FEATURE);
   }
 
   bool may_go(Index h) const

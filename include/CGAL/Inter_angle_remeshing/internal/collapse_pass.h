@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/closest_point_on_triangle.h>
+#include <CGAL/Inter_angle_remeshing/internal/cross_products.h>
 #include <CGAL/Inter_angle_remeshing/internal/curve_edges.h>
 #include <CGAL/Inter_angle_remeshing/internal/evaluate_then_apply.h>
 #include <CGAL/Inter_angle_remeshing/internal/thin_angles.h>
@@ -66,16 +67,6 @@ inline bool has_short_edges_after_collapse(const Remeshing_mesh& mesh, Remeshing
   for (int n = mesh.valence(a) - 3; n > 0; --n, k = mesh.rotate_ccw(k))
     if (!is_short(k)) return false;
   return true;
-}
-
-// The sum of the cross products of the faces around v.
-inline Vector3 star_cross_product(const Remeshing_mesh& mesh, Remeshing_mesh::Index v)
-{
-  Vector3 sum;
-  mesh.for_each_around(v, [&](Remeshing_mesh::Index h) {
-    sum += triangle_cross(mesh.position(v), mesh.position(mesh.target(h)), mesh.position(mesh.apex(h)));
-  });
-  return sum;
 }
 
 // Whether the faces that replace the star of h's source are fit: no edge too long, no face turned, and one of them

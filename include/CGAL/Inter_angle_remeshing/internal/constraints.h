@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_CONSTRAINTS_H
 
 #include <CGAL/Inter_angle_remeshing/internal/curves.h>
+#include <CGAL/Inter_angle_remeshing/internal/cross_products.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh_exchange.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -32,14 +33,11 @@ struct Constraint_settings
   bool finds_features;        // whether sharp edges are found by themselves
 };
 
-// Whether the dihedral angle at h is larger than the bound. Degenerate faces are not sharp.
+// Whether the dihedral angle at h is larger than the bound.
 inline bool is_sharp(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, double cosine)
 {
   if (cosine < -1 || mesh.is_border(h)) return false;
-  const auto cross_product = [&](Remeshing_mesh::Index k) {
-    return triangle_cross(mesh.position(mesh.origin(k)), mesh.position(mesh.target(k)), mesh.position(mesh.apex(k)));
-  };
-  const Vector3 m = cross_product(h), n = cross_product(mesh.opposite(h));
+  const Vector3 m = cross_product_of_surface(mesh, mesh.face(h)), n = cross_product_of_surface(mesh, mesh.face(mesh.opposite(h)));
   const double product = squared_length(m) * squared_length(n);
   return product > 0 && dot(m, n) < cosine * std::sqrt(product);
 }

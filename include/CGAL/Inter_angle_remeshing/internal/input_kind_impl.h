@@ -26,10 +26,11 @@ inline std::vector<Remeshing_mesh::Index> features_of(const Remeshing_mesh& mesh
   return result;
 }
 
-// What guides the iterations, and is released after them; not beside vertices that are held anyway, and must be so afterwards.
+// What guides the iterations, and is released after them; not beside vertices that are held anyway, and must be so afterwards, nor at
+// the border, whose curve it would cut in two.
 inline void mark_crests(Remeshing_mesh& mesh, const std::vector<Remeshing_mesh::Index>& crests)
 {
-  constexpr unsigned HELD = Remeshing_mesh::LOCKED | Remeshing_mesh::PINCHED;
+  constexpr unsigned HELD = Remeshing_mesh::LOCKED | Remeshing_mesh::PINCHED | Remeshing_mesh::ON_BORDER;
   for (const Remeshing_mesh::Index h : crests) {
     if (((mesh.marks(mesh.origin(h)) | mesh.marks(mesh.target(h))) & HELD) != 0) continue;
     mark_feature(mesh, h);
@@ -51,12 +52,15 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
   kind.is_faceted = kind.is_cad || detector.kind().has_jagged_chamfers() || detector.kind().has_voxel_stairs();
   kind.saddle_excess = detector.kind().saddle_excess();
   kind.searches_features = settings.finds_features;
+  // Where vertices only move, features are those of the edges that there are.
+  const bool keeps_vertices = !(target.length > 0);
   std::vector<double> lengths(mesh.number_of_face_slots());
   for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(lengths.size()); ++f)
-    lengths[f] = target.length * target.sizing.part_of_face(mesh.face_record(f).source);
+    lengths[f] = (keeps_vertices ? mean_length : target.length) * target.sizing.part_of_face(mesh.face_record(f).source);
   const Features_with_parts found = features_with_parts(mesh, detector, target.length, lengths,
                                                         [&](Feature_detector& of_part, const std::vector<double>& lengths_there) {
     if (!kind.searches_features) return std::vector<Remeshing_mesh::Index>();
+    if (keeps_vertices) return of_part.features();
     Found_features there = of_part.features_for(lengths_there, recipe.fillet_width, recipe.relief_density);
     if (&of_part == &detector) kind.rounded_edges = std::move(there.rounded);
     return there.edges;
