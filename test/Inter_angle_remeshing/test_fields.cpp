@@ -193,6 +193,31 @@ void numbers_of_faces_scale_fields()
     CHECK_MESSAGE(by(power) == as_it_is, power);
 }
 
+// Few large faces tell little of a function at their corners.
+void functions_are_asked_inside_of_faces()
+{
+  const auto rising_from = [](double least) {
+    return [=](const Point& p) {
+      double squared = 0;
+      for(int k = 0; k < 3; ++k)
+        squared += CGAL::square((std::min)(p[k], 1 - p[k]));
+      return least + .45 * std::sqrt(squared);
+    };
+  };
+  const Mesh coarse = meshes::to_mesh<Mesh>(meshes::cube(1));
+  Mesh m = coarse;
+  const auto field = rising_from(.01);
+  IAR::isotropic_remeshing(IAR::Face_count(4000).scaling(field), m);
+  CHECK_MESSAGE(std::abs(m.number_of_faces() / 4000. - 1) < .02, m.number_of_faces());
+  const double mean = fit(m, field).mean;
+  const Fit f = fit(m, [&](const Point& p) { return mean * field(p); });
+  CHECK_MESSAGE(f.share > .85, f.share);
+  // One that is tiny at the corners alone needs no more faces.
+  m = coarse;
+  IAR::isotropic_remeshing(rising_from(1e-5), m);
+  CHECK_MESSAGE(m.number_of_faces() > 1000 && m.number_of_faces() < 10000, m.number_of_faces());
+}
+
 // --- curvature ---------------------------------------------------------------------------------------------------
 
 using Curvature_field = IAR::Curvature_sizing_field<Mesh>;
@@ -301,6 +326,9 @@ void lengths_rise_with_the_tolerance()
     CHECK_MESSAGE(shorter <= now.size() / 100, tolerance << ": " << shorter << " of " << now.size());
     before = now;
   }
+  // As good as none at all.
+  for(const double l : lengths(Curvature_field(1e300, {mean / 10, mean}, m.faces(), m), m))
+    CHECK(l == mean);
 }
 
 // A part of the faces has vertices that the field does not know.
@@ -586,6 +614,36 @@ void faces_and_kept_vertices()
     CHECK(!m.is_removed(v) && value[v] == x);
   for(const Vertex v : m.vertices())
     CHECK(value[v] >= 0 && value[v] <= 1);
+}
+
+// That of the input's face at the centroid, wherever flips have taken the face from: hardly further than the closest one.
+void faces_are_those_at_the_centroids()
+{
+  for(const char* name : {"hand", "homer"})
+  {
+    Mesh m = models::of_cgal(name);
+    const Mesh input = m;
+    const double length = .4 * mean_edge_length(m);
+    const auto number = m.add_property_map<Face, std::size_t>("f:number").first;
+    for(const Face f : m.faces())
+      number[f] = f;
+    IAR::Attribute_transfer<Mesh> transfer;
+    transfer.add_face_map(number);
+    IAR::isotropic_remeshing(length, m, parameters::visitor(std::ref(transfer)));
+    const IAR::Closest_point_projector<Mesh> projector(input);
+    std::size_t far_ones = 0;
+    for(const Face f : m.faces())
+    {
+      const auto triangle_of = [](const Mesh& g, Face face) {
+        const Halfedge h = g.halfedge(face);
+        return Kernel::Triangle_3(g.point(g.source(h)), g.point(g.target(h)), g.point(g.target(g.next(h))));
+      };
+      const Point c = CGAL::centroid(triangle_of(m, f));
+      far_ones += std::sqrt(CGAL::squared_distance(c, triangle_of(input, Face(Mesh::size_type(number[f]))))) >
+                  std::sqrt(CGAL::squared_distance(c, projector.project(c))) + .3 * length;
+    }
+    CHECK_MESSAGE(far_ones == 0, name << ": " << far_ones);
+  }
 }
 
 // With a projector of the user's, or none, the input is asked all the same.
@@ -926,6 +984,7 @@ int main()
   fields_are_followed_with_every_projector();
   uniform_fields_are_numbers();
   numbers_of_faces_scale_fields();
+  functions_are_asked_inside_of_faces();
   curvature_of_a_sphere_and_a_torus();
   curvature_with_noise();
   curvature_at_features_and_borders();
@@ -941,6 +1000,7 @@ int main()
   scalars_are_interpolated();
   linear_functions_are_kept();
   faces_and_kept_vertices();
+  faces_are_those_at_the_centroids();
   attributes_with_every_projector();
   for(const char* name : {"mushroom", "couplingdown", "elephant"})
     attributes_stay_in_their_patches(name);

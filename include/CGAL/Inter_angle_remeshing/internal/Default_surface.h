@@ -21,18 +21,6 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// The surface's faces by the input faces that they are; negative for those of the input that it does not have.
-inline std::vector<Remeshing_mesh::Index> faces_by_source(const Reference_surface& surface)
-{
-  std::vector<Remeshing_mesh::Index> result;
-  for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(surface.number_of_faces()); ++f) {
-    const std::size_t source = std::size_t(surface.face_record(f).source);
-    if (source >= result.size()) result.resize((std::max)(source + 1, surface.number_of_faces()), -1);
-    result[source] = f;
-  }
-  return result;
-}
-
 // The default: facets where they are at most twice as large as the target is long, for they are what the result is measured
 // against; the MLS surface where they are three times as large, for there they would show; smooth between. Where hardly any
 // facet is that large, the run is one at the input's own length, and the facets rule everywhere; so they do on CAD models, and

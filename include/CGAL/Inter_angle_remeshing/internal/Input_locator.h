@@ -44,8 +44,7 @@ public:
     if (projection.face_of_source == nullptr) {
       copy_ = std::make_unique<Reference_surface>(mesh);
       surface_ = copy_.get();
-      face_in_copy_.resize(copy_->number_of_faces());
-      for (Index f = 0; f < Index(face_in_copy_.size()); ++f) face_in_copy_[copy_->face_record(f).source] = f;
+      face_in_copy_ = faces_by_source(*copy_);
       face_of_source_ = &face_in_copy_;
     } else {
       surface_ = projection.surface;
@@ -93,7 +92,8 @@ private:
   // The face of the surface that face f descends from.
   Index face_of_origin(const Remeshing_mesh& mesh, Index f) const { return (*face_of_source_)[mesh.face_record(f).source]; }
 
-  // The face of the surface that is nearest to the centroid of face f, in the patch of the one that f descends from.
+  // The face of the surface that is nearest to the centroid of face f, in the patch of the one that f descends from: that of the walks
+  // from there and from the places of the corners, as a flip may have taken f far from where it descends from.
   Index face_at_centroid(const Remeshing_mesh& mesh, Index f, const Vector3& centroid) const
   {
     const Index start = face_of_origin(mesh, f);
@@ -103,7 +103,15 @@ private:
       if (patch_[nearest] == patch_[start]) return nearest;
       nearest = start;
     }
-    surface_->walk(factor_ * centroid, nearest);
+    const Vector3 q = factor_ * centroid;
+    double least = squared_distance(surface_->walk(q, nearest), q);
+    if (copy_ != nullptr) return nearest;
+    for (const Index v : mesh.face_record(f).vertex) {
+      Index g = mesh.hint(v);
+      if (patch_[g] != patch_[start]) continue;
+      const double d = squared_distance(surface_->walk(q, g), q);
+      if (d < least) { least = d; nearest = g; }
+    }
     return nearest;
   }
 

@@ -74,6 +74,7 @@ private:
     clock_.start_iteration();
     context_.visitor.start_iteration(clock_.iterations(), mesh_);
     if (clock_.is_late() && clock_.is_at_finest_level()) passes_.release_features();
+    passes_.go_to_far_surface();
     const int halvings = clock_.iterations() == 0 || is_only_split_ ? halvings_to_do() : 0;
     passes_.split_and_collapse();
     is_only_split_ = is_only_to_be_split(halvings);

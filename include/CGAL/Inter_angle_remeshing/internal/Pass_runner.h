@@ -22,6 +22,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/regular_valence.h>
 #include <CGAL/Inter_angle_remeshing/internal/relax_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/release_features.h>
+#include <CGAL/Inter_angle_remeshing/internal/projection_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/repair_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/Schedule.h>
 #include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
@@ -128,6 +129,21 @@ public:
       for_each_vertex_of_a_visitor([&](Mesh_vertex v) { context_.visitor.after_move(v, mesh_); });
       return count;
     });
+  }
+
+  // A surface that is far away is reached in a few steps, if at all.
+  void go_to_far_surface()
+  {
+    constexpr int MOST_STEPS = 4;
+    if (recipe_.sweeps == 0) return;
+    std::size_t moved = 1;
+    for (int step = 0; step < MOST_STEPS && moved > 0 && goes_on() && is_surface_far(context_); ++step)
+      run(Pass::relax, [&]() {
+        for_each_vertex_of_a_visitor([&](Mesh_vertex v) { context_.visitor.before_move(v, mesh_); });
+        moved = projection_pass<ConcurrencyTag>(context_);
+        for_each_vertex_of_a_visitor([&](Mesh_vertex v) { context_.visitor.after_move(v, mesh_); });
+        return moved;
+      });
   }
 
   void subdivide()

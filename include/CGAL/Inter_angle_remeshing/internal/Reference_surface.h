@@ -109,6 +109,50 @@ private:
 
   using Tree = CGAL::AABB_tree<AABB_traits<Kernel, Face_primitive>>;
 
+  // Of the faces that look to the side of a normal, the one that is closest to q and less than a radius away.
+  class Closest_compatible
+  {
+  public:
+    Closest_compatible(const Reference_surface& surface, const Vector3& q, const Vector3& normal, double radius)
+      : surface_(surface), q_(q), normal_(normal), least_(radius * radius)
+    {}
+
+    bool go_further() const { return visited_ < MOST_VISITED; }
+    void intersection(const Kernel::Point_3&, const Face_primitive& face)
+    {
+      ++visited_;
+      const Index f = face.id();
+      if (!(dot(surface_.cross_product(f), normal_) > 0)) return;
+      const Vector3 p = closest_point_on_face(surface_, q_, f).point;
+      const double d = squared_distance(q_, p);
+      if (d > least_ || (d == least_ && (face_ < 0 || f > face_))) return;
+      least_ = d;
+      face_ = f;
+      point_ = p;
+    }
+    template <class Node>
+    bool do_intersect(const Kernel::Point_3&, const Node& node) const
+    {
+      const CGAL::Bbox_3 box = node.bbox();
+      const auto outside = [](double x, double low, double high) { return (std::max)({low - x, x - high, 0.}); };
+      return squared_length(Vector3{outside(q_.x, box.xmin(), box.xmax()), outside(q_.y, box.ymin(), box.ymax()),
+                                    outside(q_.z, box.zmin(), box.zmax())}) <= least_;
+    }
+
+    Index face() const { return face_; }         // negative: none
+    const Vector3& point() const { return point_; }
+
+  private:
+    // A surface that is far away, and looks elsewhere all over, is given up.
+    static constexpr int MOST_VISITED = 4096;
+
+    const Reference_surface& surface_;
+    Vector3 q_, normal_, point_;
+    double least_;
+    Index face_ = -1;
+    int visited_ = 0;
+  };
+
   // How far away from q a face may be that looks the right way and wins over f, on which the closest point lies.
   double compatible_radius(const Vector3& q, const Vector3& closest, Index f) const
   {
@@ -124,6 +168,18 @@ private:
   mutable std::once_flag tree_is_built_;
   mutable std::unique_ptr<Tree> tree_;
 };
+
+// The surface's faces by the input faces that they are; negative for those of the input that it does not have.
+inline std::vector<Remeshing_mesh::Index> faces_by_source(const Reference_surface& surface)
+{
+  std::vector<Remeshing_mesh::Index> result;
+  for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(surface.number_of_faces()); ++f) {
+    const std::size_t source = std::size_t(surface.face_record(f).source);
+    if (source >= result.size()) result.resize((std::max)(source + 1, surface.number_of_faces()), -1);
+    result[source] = f;
+  }
+  return result;
+}
 
 inline const Reference_surface::Tree& Reference_surface::tree() const
 {
@@ -172,21 +228,11 @@ inline Vector3 Reference_surface::locate(const Vector3& q, Index& f, const Vecto
   const Vector3 closest = closest_point_on_face(*this, q, f).point;
   if (normal == Vector3() || dot(cross_product(f), normal) > 0) return closest;
 
-  const double radius = compatible_radius(q, closest, f);
-  std::vector<Index> faces;
-  tree().all_intersected_primitives(CGAL::Bbox_3(q.x - radius, q.y - radius, q.z - radius,
-                                                 q.x + radius, q.y + radius, q.z + radius),
-                                    std::back_inserter(faces));
-  std::sort(faces.begin(), faces.end());
-  double best = radius * radius;
-  Vector3 result = closest;
-  for (const Index g : faces) {
-    if (!(dot(cross_product(g), normal) > 0)) continue;
-    const Vector3 c = closest_point_on_face(*this, q, g).point;
-    const double d = squared_distance(q, c);
-    if (d < best) { best = d; result = c; f = g; }
-  }
-  return result;
+  Closest_compatible compatible(*this, q, normal, compatible_radius(q, closest, f));
+  tree().traversal(query, compatible);
+  if (compatible.face() < 0) return closest;
+  f = compatible.face();
+  return compatible.point();
 }
 
 } // namespace internal

@@ -59,8 +59,8 @@ inline std::vector<double> curvature_lengths(const Remeshing_mesh& mesh, double 
   const double epsilon = tolerance / mesh.unit(), shortest = range.first / mesh.unit(), longest = range.second / mesh.unit();
   const auto length_at = [&](double curvature) {
     const double e = (std::min)(epsilon, 1 / curvature);     // no triangle is further from a sphere than its radius
-    const double square = 6 * e / curvature - 3 * e * e;     // infinite where it is flat
-    return square > shortest * shortest ? (std::min)(longest, std::sqrt(square)) : shortest;
+    const double square = 3 * e * (2 / curvature - e);       // infinite where it is flat
+    return square <= shortest * shortest ? shortest : (std::min)(longest, std::sqrt(square));
   };
   Curvature curvature(mesh);
   curvature.average([&](double k) { return 0.5 * length_at(k); });

@@ -45,7 +45,7 @@ inline bool leaves_surface(const Remeshing_context& context, Remeshing_mesh::Ind
   const auto turns_away_from = [&, own = mesh.cross_product(f)](const Vector3& normal) {
     return !is_cosine_at_least(normal, own, LEAVING_COSINE);
   };
-  return turns_away_from(context.projector.surface->cross_product(facet)) &&
+  return turns_away_from(context.projector.cross_product(facet)) &&
          turns_away_from(context.projector.normal_at(facet, nearest));
 }
 

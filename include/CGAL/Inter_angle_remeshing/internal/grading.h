@@ -48,7 +48,14 @@ public:
   // where it lies.
   double number_of_faces(const Remeshing_mesh& mesh, double target_length) const
   {
-    return number_of_faces(mesh, target_length, [](double a, double b, double c) { return (std::min)({a, b, c}); });
+    double result = 0;
+    for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) {
+      if (!mesh.is_face(f)) continue;
+      const auto& v = mesh.face_record(f).vertex;
+      const double l = target_length * (std::min)({part(v[0]), part(v[1]), part(v[2])});
+      result += 2 / std::sqrt(3.) * length(mesh.cross_product(f)) / (l * l);
+    }
+    return result;
   }
 
   // Takes the parts of all vertices from the field, or 1 where it is uniform; see `sink()` for the curves.
@@ -112,26 +119,19 @@ private:
     parts[v] = float(part);
   }
 
-  // A function of the position may be far smaller between the vertices of the input than there. Faces as large as the field lets
-  // them be at one of their corners are the fewest there can be: beside one where it is tiny, they grow again.
+  // A function of the position may be far smaller somewhere than where it was asked before. Faces as large as the field lets them be
+  // at one of their corners, and as it may let them grow towards the middle of a large face, are the fewest there can be.
   void check_number_of_faces(const Remeshing_mesh& mesh, double target_length) const
   {
-    const double fewest = number_of_faces(mesh, target_length, [](double a, double b, double c) { return (std::max)({a, b, c}); });
-    if (!(fewest <= MAXIMUM_NUMBER_OF_FACES)) refuse_too_small_field();
-  }
-
-  // With the edges of a face as long as `function(parts of the three corners)` says.
-  template <class Function>
-  double number_of_faces(const Remeshing_mesh& mesh, double target_length, const Function& function) const
-  {
-    double result = 0;
+    double fewest = 0;
     for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) {
       if (!mesh.is_face(f)) continue;
       const auto& v = mesh.face_record(f).vertex;
-      const double l = target_length * function(part(v[0]), part(v[1]), part(v[2]));
-      result += 2 / std::sqrt(3.) * length(mesh.cross_product(f)) / (l * l);
+      const double area = length(mesh.cross_product(f)), growth = STEEPEST_FIELD * std::sqrt(area);
+      const double l = target_length * (std::max)({part(v[0]), part(v[1]), part(v[2])}) + growth;
+      fewest += 2 / std::sqrt(3.) * area / (l * l);
     }
-    return result;
+    if (!(fewest <= MAXIMUM_NUMBER_OF_FACES)) refuse_too_small_field();
   }
 
   // Lowers the parts beside the vertices of the queue that rise faster than by `rate` over a unit of length, as far as

@@ -59,6 +59,8 @@ struct Projection
   const std::function<Vector3(const Vector3&)>* rule = nullptr;
   const std::vector<Corner_table::Index>* face_of_source = nullptr;   // where the surface's faces are those of the input
   bool is_concurrent = true;             // whether several threads may ask
+  bool may_be_elsewhere = false;         // whether the surface may be far from the mesh
+  double side = 1;                       // -1: the surface's faces look to the other side than those of the mesh
 
   bool has_faces() const { return surface != nullptr; }
   Vector3 operator()(const Vector3& q, Corner_table::Index& hint) const
@@ -95,10 +97,12 @@ struct Projection
   {
     if (mls != nullptr && share_of_mls(facet_size(f)) > 0) {
       const Vector3 n = mls->normal(f, mls->barycentric_of(f, closest_point_on_face(*surface, factor * p, f)));
-      if (squared_length(n) > 0) return unit(n);
+      if (squared_length(n) > 0) return side * unit(n);
     }
-    return unit(surface->cross_product(f));
+    return unit(cross_product(f));
   }
+  // That of face f of the surface, on the side to which the mesh looks.
+  Vector3 cross_product(Corner_table::Index f) const { return side * surface->cross_product(f); }
   // Whether its faces are those of the input.
   bool is_input() const { return face_of_source != nullptr && rule == nullptr; }
   // The size of a face, as it were if the target length were uniform.
@@ -123,13 +127,13 @@ struct Projection
   // Whether the face of the hint looks to the same side as the normal: if not, it belongs to another sheet.
   bool is_compatible(Corner_table::Index hint, const Vector3& normal) const
   {
-    return !has_faces() || dot(surface->cross_product(hint), normal) > 0;
+    return !has_faces() || dot(cross_product(hint), normal) > 0;
   }
   // Whether it looks to the other side: the normals make more than OPPOSITE degrees. Well over a right angle, which
   // faces beside a sharp edge make with the surface beyond it.
   bool is_opposite(Corner_table::Index hint, const Vector3& normal) const
   {
-    return has_faces() && is_cosine_at_least(surface->cross_product(hint), -1. * normal, OPPOSITE_COSINE);
+    return has_faces() && is_cosine_at_least(cross_product(hint), -1. * normal, OPPOSITE_COSINE);
   }
 
   static constexpr double OPPOSITE_COSINE = 0.5;

@@ -44,7 +44,12 @@ public:
     : projection_{&surface, mesh.unit() / surface.unit(), mls}
   {
     const Part_of_surface part(mesh, surface, projection_.factor);
-    if (!part.is_part()) { find_hints(mesh, projection_); return; }
+    if (!part.is_part()) {
+      projection_.may_be_elsewhere = true;
+      if (looks_to_other_side(mesh, surface, projection_.factor)) projection_.side = -1;
+      find_hints(mesh, projection_);
+      return;
+    }
     if (mls == nullptr && !part.is_whole()) {
       copy_.emplace(mesh);
       face_of_source_ = faces_by_source(*copy_);
@@ -87,6 +92,7 @@ Remeshing_report run_with_rule(double unit, bool is_concurrent, const std::funct
   projection.factor = unit;
   projection.rule = &rule;
   projection.is_concurrent = is_concurrent;
+  projection.may_be_elsewhere = true;
   return run(projection);
 }
 

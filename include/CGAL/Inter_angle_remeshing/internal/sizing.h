@@ -8,6 +8,8 @@
 #include <CGAL/Inter_angle_remeshing/internal/Input_locator.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,8 +34,8 @@ inline double checked_length(double length, const Vector3& place)
   return length;
 }
 
-// No length needs to be longer, in units of lengths: the extent of the flat mesh is under 1.
-constexpr double LONGEST_LENGTH = 4;
+// In units of lengths: far beyond the extent of the flat mesh, and what is left of it as a float, or squared, is finite.
+constexpr double LONGEST_LENGTH = 1e15;
 // More faces cannot be indexed.
 constexpr double MAXIMUM_NUMBER_OF_FACES = double((std::numeric_limits<Remeshing_mesh::Index>::max)() / 4) / 1.5;
 
@@ -44,7 +46,8 @@ constexpr double MAXIMUM_NUMBER_OF_FACES = double((std::numeric_limits<Remeshing
 }
 
 // The lengths are given as parts of the length of reference, with which uniform triangles over the range would be as many
-// as with the field. The field is linear on the input's faces, or a function of the position.
+// as with the field. The field is linear on the input's faces, or a function of the position. A function is asked inside of faces, too:
+// large ones know little of it at their corners.
 class Sizing
 {
   using Index = Remeshing_mesh::Index;
@@ -58,23 +61,25 @@ public:
     : function_(std::move(function)), unit_(mesh.unit()), length_unit_(length_unit)
   {
     double area = 0, count = 0;
-    parts_.resize(mesh.number_of_face_slots());
+    for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) area += length(mesh.cross_product(f));
     for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) {
-      const auto& t = mesh.face_record(f);
-      std::array<double, 3> corner;
-      for (int k = 0; k < 3; ++k) corner[k] = lengths[mesh.input(t.vertex[k])];
-      const double doubled_area = length(mesh.cross_product(f));
-      area += doubled_area;
-      for (int k = 0; k < 3; ++k) {      // the rule of the midpoints
-        const double l = 0.5 * (corner[k] + corner[(k + 1) % 3]);
-        count += doubled_area / (3 * l * l);
-        parts_[t.source][k] = float(corner[k]);
+      Corners corner;
+      for (int k = 0; k < 3; ++k) {
+        const Index v = mesh.face_record(f).vertex[k];
+        corner[k] = {mesh.position(v), lengths[mesh.input(v)]};
       }
+      const double doubled_area = length(mesh.cross_product(f));
+      int cuts = 0;
+      for (double samples = FEWEST_SAMPLES * doubled_area / area; function_ && samples > 1; samples /= 4) ++cuts;
+      count += integral(corner, doubled_area, cuts, cuts + MOST_CUTS);
     }
     reference_length_ = count > 0 ? std::sqrt(area / count) : lengths.front();
     if (!(reference_length_ > 0)) refuse_too_small_field();
-    for (auto& corners : parts_)
-      for (float& part : corners) part = float(double(part) / reference_length_);
+    parts_.resize(mesh.number_of_face_slots());
+    for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) {
+      const auto& t = mesh.face_record(f);
+      for (int k = 0; k < 3; ++k) parts_[t.source][k] = float(lengths[mesh.input(t.vertex[k])] / reference_length_);
+    }
   }
 
   bool is_uniform() const { return parts_.empty(); }
@@ -93,10 +98,7 @@ public:
   // At vertex v of the mesh; the locator may be missing where places are not needed.
   double part_at(const Remeshing_mesh& mesh, Index v, const Input_locator* locator) const
   {
-    if (function_) {
-      const Vector3 place = unit_ * mesh.position(v);
-      return (std::min)(LONGEST_LENGTH, checked_length(function_(place), place) / length_unit_) / reference_length_;
-    }
+    if (function_) return length_by_function(mesh.position(v)) / reference_length_;
     const Input_place place = locator->place_of_vertex(mesh, v);
     const auto& corner = parts_[place.source];
     return place.coordinates[0] * double(corner[0]) + place.coordinates[1] * double(corner[1]) +
@@ -104,6 +106,48 @@ public:
   }
 
 private:
+  struct Corner
+  {
+    Vector3 point;
+    double length;
+  };
+  using Corners = std::array<Corner, 3>;
+
+  // Triangles that a function is asked about, at least, over the whole range; and how often one is cut into four, beyond that, while
+  // the lengths at its corners differ by more than this factor.
+  static constexpr double FEWEST_SAMPLES = 4096, EVEN = 1.5;
+  static constexpr int MOST_CUTS = 8;
+
+  double length_by_function(const Vector3& p) const
+  {
+    const Vector3 place = unit_ * p;
+    return (std::min)(LONGEST_LENGTH, checked_length(function_(place), place) / length_unit_);
+  }
+  double length_between(const Corner& a, const Corner& b, const Vector3& middle) const
+  {
+    return function_ ? length_by_function(middle) : 0.5 * (a.length + b.length);
+  }
+
+  // Twice the integral of the length to the power of -2: cut into four `cuts` times, and on to `most_cuts` where lengths are uneven.
+  double integral(const Corners& corner, double doubled_area, int cuts, int most_cuts) const
+  {
+    const auto [least, most] = std::minmax({corner[0].length, corner[1].length, corner[2].length});
+    double sum = 0;
+    if (cuts <= 0 && (most_cuts <= 0 || most <= EVEN * least)) {      // the rule of the midpoints
+      for (int k = 0; k < 3; ++k) sum += doubled_area / (3 * CGAL::square(0.5 * (corner[k].length + corner[(k + 1) % 3].length)));
+      return sum;
+    }
+    Corners middle;
+    for (int k = 0; k < 3; ++k) {
+      const Corner &a = corner[k], &b = corner[(k + 1) % 3];
+      const Vector3 p = 0.5 * (a.point + b.point);
+      middle[k] = {p, length_between(a, b, p)};
+    }
+    for (int k = 0; k < 3; ++k)
+      sum += integral({corner[k], middle[k], middle[(k + 2) % 3]}, doubled_area / 4, cuts - 1, most_cuts - 1);
+    return sum + integral(middle, doubled_area / 4, cuts - 1, most_cuts - 1);
+  }
+
   std::vector<std::array<float, 3>> parts_;           // by input face, at its corners
   Function function_;
   double reference_length_ = 0, unit_ = 1, length_unit_ = 1;

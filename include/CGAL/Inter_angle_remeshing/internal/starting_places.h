@@ -5,8 +5,10 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_STARTING_PLACES_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_STARTING_PLACES_H
 
+#include <CGAL/Inter_angle_remeshing/internal/cross_products.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
 
+#include <cstdint>
 #include <vector>
 
 // Where on the surface a run begins to look for each vertex.
@@ -14,6 +16,28 @@
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
+
+// Whether most vertices look to the other side than the surface where it is closest. Where all of a few look to the same side, that is
+// believed; else more are asked.
+inline bool looks_to_other_side(const Remeshing_mesh& mesh, const Reference_surface& surface, double factor)
+{
+  using Index = Remeshing_mesh::Index;
+  constexpr Index FEW = 4, MANY = 64;
+  const auto sum_of_sides = [&](Index samples, const auto& locate) {
+    int sum = 0;
+    for (Index i = 0; i < samples; ++i) {
+      const Index v = Index(std::int64_t(mesh.number_of_vertex_slots()) * (2 * i + 1) / (2 * samples));
+      if (!mesh.is_vertex(v)) continue;
+      Index f = 0;
+      locate(factor * mesh.position(v), f);
+      const double side = dot(surface.cross_product(f), star_cross_product(mesh, v));
+      sum += side > 0 ? 1 : side < 0 ? -1 : 0;
+    }
+    return sum;
+  };
+  const int few = sum_of_sides(FEW, [&](const Vector3& q, Index& f) { surface.locate_by_scan(q, f, Vector3()); });
+  return few < FEW && sum_of_sides(MANY, [&](const Vector3& q, Index& f) { surface.locate(q, f); }) < 0;
+}
 
 // Gives each vertex the face of the surface where it lies. A vertex starts from its neighbor's face; where that walk
 // does not lead onto the surface, the place is searched for.
@@ -30,11 +54,7 @@ inline void find_hints(Remeshing_mesh& mesh, const Projection& projection)
     return squared_distance(projection(mesh.position(v), mesh.hint(v)), mesh.position(v)) <= ON_SURFACE;
   };
   const auto search = [&](Index v) {
-    Vector3 normal;
-    mesh.for_each_around(v, [&](Index h) {
-      normal += triangle_cross(mesh.position(v), mesh.position(mesh.target(h)), mesh.position(mesh.apex(h)));
-    });
-    const Vector3 q = projection.factor * mesh.position(v);
+    const Vector3 normal = projection.side * star_cross_product(mesh, v), q = projection.factor * mesh.position(v);
     if (++searches <= SCANS) projection.surface->locate_by_scan(q, mesh.hint(v), normal);
     else projection.surface->locate(q, mesh.hint(v), normal);
   };

@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_PROJECTION_PASS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_PROJECTION_PASS_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/cross_products.h>
+#include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+// The way onto a surface that is not where the mesh is, as a projector of the user's may say. All vertices go together: one alone, by more
+// than a target length, would turn the faces around it.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Whether a good part of some vertices are further from the surface than the target length.
+inline bool is_surface_far(const Remeshing_context& context)
+{
+  using Index = Remeshing_mesh::Index;
+  constexpr Index SAMPLES = 64;
+  constexpr int GOOD_PART = 10;
+  const Remeshing_mesh& mesh = context.mesh;
+  if (!context.projector.may_be_elsewhere) return false;
+  int vertices = 0, far_ones = 0;
+  for (Index i = 0; i < SAMPLES; ++i) {
+    const Index v = Index(std::int64_t(mesh.number_of_vertex_slots()) * (2 * i + 1) / (2 * SAMPLES));
+    if (!mesh.is_vertex(v) || !mesh.is_free(v)) continue;
+    Index hint = mesh.hint(v);
+    ++vertices;
+    far_ones += squared_distance(context.projector(mesh.position(v), hint), mesh.position(v)) > CGAL::square(context.length_at(v));
+  }
+  return GOOD_PART * far_ones > vertices;
+}
+
+// Moves the vertices that are free the whole way to the surface, or the largest part of it, of a half, a quarter ..., that turns hardly
+// a face. Returns how many have moved.
+template <class ConcurrencyTag>
+std::size_t projection_pass(Remeshing_context& context)
+{
+  using Index = Remeshing_mesh::Index;
+  constexpr std::size_t BLOCK = 256;
+  constexpr double SHORTEST_PART = 1. / 16, FEW_FACES = 0.05, TURNED_COSINE = 0.5;
+  Remeshing_mesh& mesh = context.mesh;
+  const std::size_t n = mesh.number_of_vertex_slots();
+  std::vector<Vector3> way(n);
+  std::vector<Index> hints(n);
+  std::size_t moving = 0;
+  for_each_block_if<ConcurrencyTag>(context.projector.is_concurrent, n, BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (Index v = Index(begin); v < Index(end); ++v) {
+      if (!mesh.is_vertex(v)) continue;
+      hints[v] = mesh.hint(v);
+      if (!mesh.is_free(v)) continue;
+      Index hint = mesh.hint(v);
+      const Vector3 q = context.projector(mesh.position(v), hint);
+      if (!context.projector.is_compatible(hint, star_cross_product(mesh, v))) continue;
+      way[v] = q - mesh.position(v);
+      hints[v] = hint;
+    }
+  });
+  for (const Vector3& w : way) moving += w != Vector3();
+
+  const auto turned_faces = [&](double part) {
+    std::size_t result = 0;
+    for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) {
+      if (!mesh.is_face(f)) continue;
+      const auto& v = mesh.face_record(f).vertex;
+      const auto moved = [&](Index u) { return mesh.position(u) + part * way[u]; };
+      result += !is_cosine_at_least(mesh.cross_product(f), triangle_cross(moved(v[0]), moved(v[1]), moved(v[2])), TURNED_COSINE);
+    }
+    return result;
+  };
+  for (double part = 1; part >= SHORTEST_PART; part /= 2) {
+    if (double(turned_faces(part)) > FEW_FACES * double(mesh.number_of_live_faces())) continue;
+    for (Index v = 0; v < Index(n); ++v) {
+      if (!mesh.is_vertex(v)) continue;
+      mesh.position(v) += part * way[v];
+      mesh.hint(v) = hints[v];
+    }
+    return moving;
+  }
+  return 0;
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_PROJECTION_PASS_H
