@@ -114,4 +114,7 @@ void wrong(Mesh& mesh, const Mesh& const_mesh, std::vector<int>& numbers)
 #if HAS_CASE(19)  // expect: sharpness_angle: expected a number
   remesh(parameters::sharpness_angle(std::string("sharp")));
 #endif
+#if HAS_CASE(20)  // expect: what follows the mesh must be named parameters
+  IAR::isotropic_remeshing(faces(mesh), .1, mesh, IAR::Recipe());
+#endif
 }

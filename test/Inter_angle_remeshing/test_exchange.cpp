@@ -915,6 +915,44 @@ Report check_range(Graph& g, const Faces_of<Graph>& range, double length, const 
   return report;
 }
 
+// Without a length and without flips vertices move, and that is all: whatever is attached to an element stays right.
+template <class Graph>
+void elements_stay_where_vertices_only_move()
+{
+  Graph g = to_mesh<Graph>(torus(24, 12, .3));
+  for (const bool is_whole : {true, false}) {
+    const auto corners = [&]() {
+      std::vector<std::array<Vertex_of<Graph>, 3>> result;
+      for (const auto f : faces(g)) {
+        const auto h = halfedge(f, g);
+        result.push_back({source(h, g), target(h, g), target(next(h, g), g)});
+      }
+      return result;
+    };
+    const auto ends = [&]() {
+      std::vector<std::pair<Vertex_of<Graph>, Vertex_of<Graph>>> result;
+      for (const auto e : edges(g)) result.emplace_back(source(e, g), target(e, g));
+      return result;
+    };
+    const auto points = [&]() {
+      std::vector<Point> result;
+      for (const auto v : vertices(g)) result.push_back(get(CGAL::vertex_point, g, v));
+      return result;
+    };
+    const Faces_of<Graph> before(faces(g).begin(), faces(g).end());
+    const auto corners_before = corners();
+    const auto ends_before = ends();
+    const auto points_before = points();
+    IAR::isotropic_remeshing(is_whole ? before : faces_where(g, [](const Point& p) { return p.x() > 0; }), 0, g,
+                             CGAL::parameters::do_flip(false));
+    CHECK(CGAL::is_valid_polygon_mesh(g));
+    CHECK(Faces_of<Graph>(faces(g).begin(), faces(g).end()) == before);
+    CHECK(corners() == corners_before);
+    CHECK(ends() == ends_before);
+    CHECK(points() != points_before);
+  }
+}
+
 template <class Graph>
 void half_of_a_mesh_can_be_remeshed()
 {
@@ -998,6 +1036,7 @@ void isolated_vertices_stay()
 template <class Graph>
 void ranges_are_kept()
 {
+  elements_stay_where_vertices_only_move<Graph>();
   half_of_a_mesh_can_be_remeshed<Graph>();
   one_face_can_be_remeshed<Graph>();
   a_range_may_have_a_hole<Graph>();

@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/target_edge_length.h>
 #include <CGAL/Inter_angle_remeshing/triangle_quality.h>
 
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -300,6 +301,31 @@ void vertices_with_too_many_faces_are_refused()
 }
 
 // A cone of one face, two edges of which are one.
+// Of another mesh, removed, or none at all.
+template <class Graph>
+void faces_of_no_mesh_are_refused()
+{
+  const Graph larger = to_mesh<Graph>(sphere(3));
+  Graph g = to_mesh<Graph>(sphere(1));
+  check_refused(g, "none of the mesh's", [&](Graph& m) { IAR::isotropic_remeshing(faces(larger), .1, m); });
+  check_refused(g, "none of the mesh's", [&](Graph& m) {
+    auto range = std::vector(faces(m).begin(), faces(m).end());
+    range.back() = *std::prev(faces(larger).end());
+    IAR::isotropic_remeshing(range, IAR::Face_count(10), m);
+  });
+  check_refused(g, "none of the mesh's", [&](Graph& m) {
+    IAR::isotropic_remeshing(std::vector{*faces(m).begin(), boost::graph_traits<Graph>::null_face()}, .1, m);
+  });
+}
+
+void removed_faces_are_refused()
+{
+  Mesh m = to_mesh<Mesh>(sphere(2));
+  const std::vector<Mesh::Face_index> stale(faces(m).begin(), faces(m).end());
+  IAR::isotropic_remeshing(stale, 1., m);
+  check_refused(m, "or was removed", [&](Mesh& g) { IAR::isotropic_remeshing(stale, .1, g); });
+}
+
 void faces_glued_to_themselves_are_refused()
 {
   Mesh m;
@@ -774,9 +800,9 @@ void verbose_prints_a_line_an_iteration()
     return out.str();
   };
   const std::string text = printed(true, 0);
-  CHECK(std::count(text.begin(), text.end(), '\n') == 5);
+  CHECK(std::count(text.begin(), text.end(), '\n') == 6);
   const std::string with_a_level = printed(true, 1);
-  CHECK(std::count(with_a_level.begin(), with_a_level.end(), '\n') == 6);
+  CHECK(std::count(with_a_level.begin(), with_a_level.end(), '\n') == 7);
   CHECK(text.find("faces") != std::string::npos && text.find("splits") != std::string::npos);
   CHECK(printed(false, 0).empty());
 }
@@ -1064,6 +1090,36 @@ void a_functor_of_points_or_of_vertices_is_obeyed()
     CHECK(std::abs(distance(by_points.point(v), CGAL::ORIGIN) - 1) < ROUNDING);
 }
 
+// Several target lengths away, whichever side it looks to.
+void surfaces_far_from_the_mesh_are_reached()
+{
+  constexpr double RADIUS = 1.2;
+  const auto lift = [](const Point& p) {
+    const double r = distance(p, CGAL::ORIGIN);
+    return Point(RADIUS * p.x() / r, RADIUS * p.y() / r, RADIUS * p.z() / r);
+  };
+  const auto check = [&](const Mesh& m, const Report& report, double tolerance, const char* name) {
+    CHECK(CGAL::is_valid_polygon_mesh(m));
+    CHECK_MESSAGE(report.angles_after.minimum > 40 && report.angles_after.maximum < 90, name);
+    for(const auto v : m.vertices())
+      CHECK(std::abs(distance(m.point(v), CGAL::ORIGIN) - RADIUS) < tolerance);
+  };
+  Mesh box = to_mesh<Mesh>(cube(20).moved(-.5, -.5, -.5));
+  check(box, IAR::isotropic_remeshing(.05, box, parameters::projection_functor(lift)), .01, "from a cube");
+  Mesh around = to_mesh<Mesh>(sphere(4));
+  for(const auto v : around.vertices())
+    around.point(v) = lift(around.point(v));
+  for(const bool is_reversed : {false, true})
+  {
+    if(is_reversed)
+      CGAL::Polygon_mesh_processing::reverse_face_orientations(around);
+    Mesh m = to_mesh<Mesh>(sphere(4));
+    const Projector projector(around);
+    check(m, IAR::isotropic_remeshing(.05, m, parameters::projection_functor(std::cref(projector))), .01,
+          is_reversed ? "from a sphere to one inside out" : "from a sphere");
+  }
+}
+
 void a_projector_needs_a_surface()
 {
   Mesh isolated;
@@ -1124,6 +1180,9 @@ int main()
   recipes_out_of_range_are_refused();
   vertices_with_too_many_faces_are_refused();
   faces_glued_to_themselves_are_refused();
+  faces_of_no_mesh_are_refused<Mesh>();
+  faces_of_no_mesh_are_refused<Polyhedron>();
+  removed_faces_are_refused();
   doubled_edges_are_refused_only_where_they_are_protected();
   an_empty_range_is_nothing_to_do();
   rounds_of_flips_end_when_nothing_is_left_to_flip();
@@ -1154,6 +1213,7 @@ int main()
   a_projector_of_a_larger_surface_will_do();
   without_projection_vertices_leave_the_surface();
   a_functor_of_points_or_of_vertices_is_obeyed();
+  surfaces_far_from_the_mesh_are_reached();
   a_projector_needs_a_surface();
 
   the_length_follows_from_area_and_count();

@@ -5,13 +5,29 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_FACE_COUNT_H
 #define CGAL_INTER_ANGLE_REMESHING_FACE_COUNT_H
 
+#include <CGAL/Inter_angle_remeshing/internal/refuse.h>
+
 #include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 
 template <class SizingField>
 struct Scaled_sizing_field;
+
+namespace internal {
+
+template <class Number>
+std::size_t checked_face_count(Number n)
+{
+  constexpr double TOO_MANY = 9e18;                  // for std::size_t, with room for rounding
+  if (!(double(n) >= 0)) refuse("Face_count", "the wanted number of faces is " + to_text(double(n)));
+  if (double(n) >= TOO_MANY) refuse("Face_count", "the wanted number of faces is " + to_text(double(n)) + ", which cannot be indexed");
+  return std::size_t(n);
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgInterAngleRemeshingRef
@@ -30,8 +46,11 @@ forbid more than lengths ask for, it is 1 to 2 times as many on most, up to 8 ti
 */
 struct Face_count
 {
-  /// @param n the wanted number of faces
-  explicit Face_count(std::size_t n) : value(n) {}
+  /// @tparam Number an arithmetic type
+  /// @param n the wanted number of faces; a fraction is dropped
+  /// @throws CGAL::Precondition_exception if `n` is negative, or so large that it cannot be indexed
+  template <class Number, class = std::enable_if_t<std::is_arithmetic<Number>::value>>
+  explicit Face_count(Number n) : value(internal::checked_face_count(n)) {}
 
   /// the same number of faces, sized by a field: its lengths are multiplied by the one factor that yields so many.
   /// @param field what `isotropic_remeshing()` takes in place of a length: a class with the member `at()` of `PMPSizingField` or a

@@ -5,6 +5,10 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_ISOTROPIC_REMESHING_H
 #define CGAL_INTER_ANGLE_REMESHING_ISOTROPIC_REMESHING_H
 
+#if __cplusplus < 201703L && !(defined(_MSVC_LANG) && _MSVC_LANG >= 201703L)
+#error "CGAL/Inter_angle_remeshing needs C++17: compile with -std=c++17, or /std:c++17"
+#endif
+
 #include <CGAL/Inter_angle_remeshing/Default_visitor.h>
 #include <CGAL/Inter_angle_remeshing/Face_count.h>
 #include <CGAL/Inter_angle_remeshing/Policies/Inter_angle_collapse_policy.h>
@@ -172,7 +176,7 @@ number of faces of the range and of the result, per iteration; at vertices with 
     \cgalParamDefault{`Default_visitor`}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether each iteration prints a line to `std::cout`}
+    \cgalParamDescription{whether each iteration, and the result, prints a line to `std::cout`}
     \cgalParamType{bool}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -198,7 +202,8 @@ number of faces of the range and of the result, per iteration; at vertices with 
 @returns what was done
 
 @throws CGAL::Precondition_exception, in release builds too and before anything is changed, if: a face of the range is
-        not a triangle; it has more than 268 million faces; a coordinate, or the extent of the range, is not finite; all
+        not a triangle, or none of the mesh's (a mesh whose elements have no numbers tells that where the range has at least an eighth of
+        its faces); it has more than 268 million faces; a coordinate, or the extent of the range, is not finite; all
         points are equal; `length` is negative, not finite, or so small that the result could not be indexed (about 350
         million faces) or less than four times the distance between numbers in double precision as large as the coordinates, or
         as a field is 0, negative, not finite or too small anywhere; the wanted number of faces is 0, or the range has no area for it;
@@ -236,6 +241,18 @@ Remeshing_report isotropic_remeshing(const Length& length, TriangleMesh& tmesh,
     return isotropic_remeshing<ConcurrencyTag>(faces(tmesh), length, tmesh, np);
   else return {};
 }
+
+#ifndef DOXYGEN_RUNNING
+// What else may stand in the place of the named parameters: nothing.
+template <class ConcurrencyTag = CGAL::Sequential_tag, class FaceRange, class Length, class TriangleMesh, class Other,
+          std::enable_if_t<!internal::Is_named_parameters<TriangleMesh>::value && !internal::Is_named_parameters<Other>::value, int> = 0>
+Remeshing_report isotropic_remeshing(const FaceRange&, const Length&, TriangleMesh&, const Other&)
+{
+  static_assert(internal::Is_named_parameters<Other>::value, "isotropic_remeshing(): what follows the mesh must be named parameters, such "
+                "as CGAL::parameters::number_of_iterations(5), or those of CGAL::Inter_angle_remeshing::recipe(recipe).");
+  return {};
+}
+#endif
 
 } // namespace Inter_angle_remeshing
 } // namespace CGAL

@@ -75,8 +75,8 @@ Sampling_options sampling_options(const NamedParameters& np, const Sampling_opti
   using parameters::get_parameter;
   const auto number = choose_parameter(get_parameter(np, internal_np::number_of_points_on_faces), defaults.number);
   const auto seed = choose_parameter(get_parameter(np, internal_np::random_seed), defaults.seed);
-  if (!(number > 0))
-    refuse("number_of_points_on_faces > 0", "number_of_points_on_faces must be positive", __FILE__, __LINE__);
+  if (!(number >= 1))
+    refuse("number_of_points_on_faces >= 1", "number_of_points_on_faces must be at least 1", __FILE__, __LINE__);
   return {std::size_t(number), std::uint64_t(seed)};
 }
 

@@ -51,6 +51,7 @@ public:
     if (clock_.levels() == 0 || !succeeds_from_coarsest_level()) run_directly();
     if (is_at_finest_level()) finish();
     report_band(mesh_, Angle_bands(recipe_), report_);
+    passes_.print_state("result");
     passes_.tell_end();
     return report_;
   }

@@ -44,6 +44,36 @@ struct Flat_copy
   }
 };
 
+// Whether a descriptor is that of a face of the mesh. Where elements have numbers that is told by the number, else only that it is one.
+template <class Graph, class = void>
+struct Face_membership
+{
+  using Face = typename boost::graph_traits<Graph>::face_descriptor;
+  static constexpr bool IS_TOLD = false;
+  static bool is_face(const Graph&, const Face& f) { return f != boost::graph_traits<Graph>::null_face(); }
+};
+// CGAL::Surface_mesh.
+template <class Graph>
+struct Face_membership<Graph, std::void_t<decltype(std::declval<const Graph&>().has_valid_index(
+                                typename boost::graph_traits<Graph>::face_descriptor()))>>
+{
+  using Face = typename boost::graph_traits<Graph>::face_descriptor;
+  static constexpr bool IS_TOLD = true;
+  static bool is_face(const Graph& g, const Face& f) { return g.has_valid_index(f) && !g.is_removed(f); }
+};
+// OpenMesh's kernels.
+template <class Graph>
+struct Face_membership<Graph, std::void_t<decltype(std::declval<const Graph&>().is_valid_handle(
+                                typename boost::graph_traits<Graph>::face_descriptor()))>>
+{
+  using Face = typename boost::graph_traits<Graph>::face_descriptor;
+  static constexpr bool IS_TOLD = true;
+  static bool is_face(const Graph& g, const Face& f)
+  {
+    return g.is_valid_handle(f) && !(g.has_face_status() && g.status(f).deleted());
+  }
+};
+
 // Reads a range of faces. Everything that makes an input unfit is refused here, before anything is changed.
 template <class TriangleMesh, class VertexPointMap>
 class Flat_copy_builder
@@ -52,6 +82,8 @@ class Flat_copy_builder
   using vertex_descriptor = typename Traits::vertex_descriptor;
   using halfedge_descriptor = typename Traits::halfedge_descriptor;
   using Index = Remeshing_mesh::Index;
+  using Membership = Face_membership<TriangleMesh>;
+  using Face_numbers = Descriptor_index<typename Traits::face_descriptor>;
 
 public:
   // `caller` is the public function in whose name unfit input is refused.
@@ -63,7 +95,9 @@ public:
   Flat_copy<TriangleMesh> build(const FaceRange& range)
   {
     read_faces(range);
-    glue_faces();
+    const Face_numbers number = number_faces();
+    check_faces(number);
+    glue_faces(number);
     number_vertices();
     scale();
     return std::move(copy_);
@@ -78,24 +112,46 @@ private:
   void read_faces(const FaceRange& range)
   {
     for (const auto f : range) {
-      const halfedge_descriptor h = halfedge(f, tmesh_);
-      if (next(next(next(h, tmesh_), tmesh_), tmesh_) != h)
-        refuse(caller_, "face number " + std::to_string(copy_.faces.size()) + " of the range is not a triangle; "
-                        "see CGAL::Polygon_mesh_processing::triangulate_faces()");
+      if (!Membership::is_face(tmesh_, f))
+        refuse(caller_, "face number " + std::to_string(copy_.faces.size()) + " of the range is none of the mesh's, or was removed");
       copy_.faces.push_back(f);
     }
     if (copy_.faces.size() > MAXIMUM_FACES)
       refuse(caller_, "the range has more than " + std::to_string(MAXIMUM_FACES) + " faces");
   }
 
-  void glue_faces()
+  // A face that the range lists twice is taken once.
+  Face_numbers number_faces()
   {
-    Descriptor_index<typename Traits::face_descriptor> number(copy_.faces.size());
+    Face_numbers number(copy_.faces.size());
     std::size_t n = 0;
-    for (const auto& f : copy_.faces)   // a face that the range lists twice is taken once
+    for (const auto& f : copy_.faces)
       if (number.insert(f, Index(n)).second) copy_.faces[n++] = f;
     copy_.faces.resize(n);
+    return number;
+  }
 
+  // Where a descriptor does not tell its mesh, and the range is a good part of it, the mesh is gone through.
+  void check_faces(const Face_numbers& number) const
+  {
+    constexpr std::size_t GOOD_PART = 8;
+    if (!Membership::IS_TOLD && std::size_t(num_faces(tmesh_)) <= GOOD_PART * copy_.faces.size()) {
+      std::size_t found = 0;
+      for (const auto f : faces(tmesh_)) found += number.find(f) >= 0;
+      if (found != copy_.faces.size())
+        refuse(caller_, std::to_string(copy_.faces.size() - found) + " faces of the range are none of the mesh's");
+    }
+    for (std::size_t i = 0; i < copy_.faces.size(); ++i) {
+      const halfedge_descriptor h = halfedge(copy_.faces[i], tmesh_);
+      if (next(next(next(h, tmesh_), tmesh_), tmesh_) != h)
+        refuse(caller_, "face number " + std::to_string(i) + " of the range is not a triangle; "
+                        "see CGAL::Polygon_mesh_processing::triangulate_faces()");
+    }
+  }
+
+  void glue_faces(const Face_numbers& number)
+  {
+    const std::size_t n = copy_.faces.size();
     copy_.halfedges.resize(3 * n);
     copy_.mesh.reserve_faces(n + n / 8);
     copy_.mesh.resize_faces(n);
@@ -108,7 +164,7 @@ private:
       for (int k = 0; k < 3; ++k) glue_corner(Index(4 * f + k), number);
   }
 
-  void glue_corner(Index h, const Descriptor_index<typename Traits::face_descriptor>& number)
+  void glue_corner(Index h, const Face_numbers& number)
   {
     if (copy_.mesh.opposite(h) != -1) return;
     const halfedge_descriptor o = opposite(copy_.halfedge(h), tmesh_);

@@ -99,13 +99,15 @@ public:
 
   // Replaces the range by the mesh. Everything that may fail, for want of memory or in the user's maps, comes first; if it does,
   // what was done is taken back, and the exception goes on. `mesh` must have no free slots. `before_removal(edge)` is called for edges
-  // that the result has no use for, `on_failure()` where they stay after all.
+  // that the result has no use for, `on_failure()` where they stay after all. Where vertices have moved and no more, every element
+  // keeps its descriptor.
   template <class BeforeRemoval, class OnFailure>
   void write(const Remeshing_mesh& mesh, const BeforeRemoval& before_removal, const OnFailure& on_failure)
   {
     plan(mesh);
+    const bool keeps_faces = finds_faces_again(mesh);
     try {
-      make_room(mesh);
+      if (!keeps_faces) make_room(mesh);
       set_points(mesh);
       for (std::size_t i = edges_needed_; i < spare_edges_.size(); ++i) before_removal(edge(spare_edges_[i], tmesh_));
     } catch (...) {
@@ -113,6 +115,7 @@ public:
       take_back();
       throw;
     }
+    if (keeps_faces) return;
     connect(mesh);
     remove_the_rest();
   }
@@ -205,6 +208,30 @@ private:
     edges_before_ = spare_edges_.size();
     copy_.faces.reserve(mesh.number_of_live_faces());
     spare_edges_.reserve(edges_needed_);
+  }
+
+  // Whether the faces of the mesh are those of the input, with the same vertices; if so, the user's elements are noted as those of the
+  // result.
+  bool finds_faces_again(const Remeshing_mesh& mesh)
+  {
+    const std::size_t n = copy_.faces.size();
+    if (mesh.number_of_live_faces() != n || !new_vertices_.empty() || vertex_of_.size() != copy_.vertices.size()) return false;
+    std::vector<face_descriptor> faces(n, Traits::null_face());
+    std::vector<char> is_found(n, 0);
+    for (Index f = 0; f < Index(n); ++f) {
+      const auto& record = mesh.face_record(f);
+      if (is_found[record.source]) return false;
+      is_found[record.source] = 1;
+      faces[f] = copy_.faces[record.source];
+      halfedge_descriptor h = halfedge(faces[f], tmesh_);
+      for (int turns = 0; turns < 2 && source(h, tmesh_) != vertex_of_[record.vertex[0]]; ++turns) h = next(h, tmesh_);
+      for (int k = 0; k < 3; ++k, h = next(h, tmesh_)) {
+        if (source(h, tmesh_) != vertex_of_[record.vertex[k]]) return false;
+        halfedge_of(4 * f + k) = h;
+      }
+    }
+    copy_.faces.swap(faces);
+    return true;
   }
 
   void make_room(const Remeshing_mesh& mesh)
