@@ -1120,6 +1120,18 @@ void surfaces_far_from_the_mesh_are_reached()
   }
 }
 
+// One that is larger than the mesh by any factor.
+void surfaces_that_take_too_many_faces_are_refused()
+{
+  for(const double radius : {1e6, 1e90})
+    check_refused("so large that about", [&](Mesh& m) {
+      IAR::isotropic_remeshing(.1, m, parameters::projection_functor([&](const Point& p) {
+        const double r = distance(p, CGAL::ORIGIN);
+        return Point(radius * p.x() / r, radius * p.y() / r, radius * p.z() / r);
+      }));
+    });
+}
+
 void a_projector_needs_a_surface()
 {
   Mesh isolated;
@@ -1214,6 +1226,7 @@ int main()
   without_projection_vertices_leave_the_surface();
   a_functor_of_points_or_of_vertices_is_obeyed();
   surfaces_far_from_the_mesh_are_reached();
+  surfaces_that_take_too_many_faces_are_refused();
   a_projector_needs_a_surface();
 
   the_length_follows_from_area_and_count();

@@ -142,6 +142,7 @@ public:
         for_each_vertex_of_a_visitor([&](Mesh_vertex v) { context_.visitor.before_move(v, mesh_); });
         moved = projection_pass<ConcurrencyTag>(context_);
         for_each_vertex_of_a_visitor([&](Mesh_vertex v) { context_.visitor.after_move(v, mesh_); });
+        if (moved > 0) check_number_of_faces();
         return moved;
       });
   }
@@ -249,6 +250,15 @@ private:
     if (context_.grading.is_uniform()) sort_in([](Index, Index) { return 1.; });
     else sort_in([&](Index u, Index v) { return CGAL::square(context_.grading.part(u, v)); });
     return result;
+  }
+
+  // The surface may be larger than the mesh by any factor.
+  void check_number_of_faces() const
+  {
+    const double faces = context_.keeps_vertices ? 0. : context_.grading.number_of_faces(mesh_, context_.target_length);
+    if (!(faces <= MAXIMUM_NUMBER_OF_FACES))
+      refuse(REMESHING, "the surface of the projection functor is so large that about " + to_text(faces) + " faces were needed; at most " +
+                        to_text(MAXIMUM_NUMBER_OF_FACES) + " can be indexed");
   }
 
   bool repairs() const { return recipe_.repair && recipe_.sweeps > 0; }

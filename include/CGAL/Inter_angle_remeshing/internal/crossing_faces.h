@@ -65,10 +65,13 @@ public:
   std::vector<std::pair<Index, Index>> find()
   {
     std::vector<std::pair<Index, Index>> result;
-    measure();
+    // Of the mesh and its surface; a projector of the user's may have led further away than rounded boxes are good for.
+    constexpr double LARGEST_EXTENT = 2;
+    const double extent = list_faces();
     if (faces_.empty()) return result;
-    fill_cells();
-    if (are_cells_crowded()) find_by_boxes(result);
+    const bool has_cells = extent <= LARGEST_EXTENT;
+    if (has_cells) { round_boxes(); fill_cells(); }
+    if (!has_cells || are_cells_crowded()) find_by_boxes(result);
     else
       scan_into<ConcurrencyTag>(result, start_.size() - 1, [&](std::size_t cell, std::vector<std::pair<Index, Index>>& found) {
         find_in_cell(entries_.data() + start_[cell], start_[cell + 1] - start_[cell], found);
@@ -79,27 +82,33 @@ public:
   }
 
 private:
-  // Lists the faces with their normals and boxes; these are seen from the lowest corner of all, and as much too large as they may
-  // have been rounded.
-  void measure()
+  // Returns the largest extent of all.
+  double list_faces()
   {
-    constexpr double ROUNDING = 2e-7;
     constexpr double inf = std::numeric_limits<double>::infinity();
-    Vector3 low{inf, inf, inf};
+    Vector3 high{-inf, -inf, -inf};
+    low_ = {inf, inf, inf};
     for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f) {
       if (!mesh_.is_face(f)) continue;
       for (const Index v : mesh_.face_record(f).vertex) {
-        const Vector3& p = mesh_.position(v);
-        low = lower_corner(low, p);
+        low_ = lower_corner(low_, mesh_.position(v));
+        high = upper_corner(high, mesh_.position(v));
       }
       faces_.push_back(f);
     }
+    return (std::max)({high.x - low_.x, high.y - low_.y, high.z - low_.z});
+  }
+
+  // The faces' normals and boxes; these are seen from the lowest corner of all, and as much too large as they may have been rounded.
+  void round_boxes()
+  {
+    constexpr double ROUNDING = 2e-7;
     boxes_.resize(faces_.size());
     normals_.resize(faces_.size());
     for_each_block<ConcurrencyTag>(faces_.size(), SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t i = begin; i < end; ++i) {
         const Index* v = corners(Index(i));
-        const Vector3 a = mesh_.position(v[0]) - low, b = mesh_.position(v[1]) - low, c = mesh_.position(v[2]) - low;
+        const Vector3 a = mesh_.position(v[0]) - low_, b = mesh_.position(v[1]) - low_, c = mesh_.position(v[2]) - low_;
         normals_[i] = triangle_cross(a, b, c);
         const Bounding_box box(a, b, c);
         const double least[3] = {box.low.x, box.low.y, box.low.z}, most[3] = {box.high.x, box.high.y, box.high.z};
@@ -256,6 +265,7 @@ private:
   };
 
   const Surface& mesh_;
+  Vector3 low_;                                  // corner of all faces
   double inverse_cell_ = 1;
   std::vector<Index> faces_;
   std::vector<Rounded_box> boxes_;               // by number in faces_, as the normals and the entries
