@@ -160,7 +160,7 @@ inline bool is_beside_needle(const Remeshing_context& context, Remeshing_mesh::I
 }
 
 // Splits the edges of `long_edges` as far as they are still too long, and what is left of needles; appends short edges at new vertices to
-// `short_edges`. Returns the number of splits.
+// `short_edges`. Edges to which a split has given other half-edges are left to the next pass. Returns the number of splits.
 template <class ConcurrencyTag>
 std::size_t split_pass(Remeshing_context& context, std::vector<Remeshing_mesh::Index>& long_edges,
                        std::vector<Remeshing_mesh::Index>& short_edges)
