@@ -45,7 +45,10 @@ public:
   void add(Index h, double angle, bool is_certain = false)
   {
     const std::array<Index, 2> ends = {number_of(mesh_.origin(h)), number_of(mesh_.target(h))};
-    for (const Index v : ends) incident_[v].push_back(Index(edges_.size()));
+    for (const Index v : ends) {
+      incident_[v].push_back(Index(edges_.size()));
+      ++edges_left_[v];
+    }
     edges_.push_back({h, ends, angle, std::sqrt(mesh_.squared_edge_length(h)), true, is_certain});
   }
 
@@ -123,7 +126,7 @@ private:
     drop_trees();
     std::size_t inner = 0, bent = 0, others = 0;
     for (Index v = 0; v < Index(vertices_.size()); ++v) {
-      if (!has_edges(v)) continue;
+      if (edges_left_[v] == 0) continue;
       ++(degree(v) == 2 ? inner : others);
       bent += degree(v) == 2 && bends(v);
     }
@@ -168,6 +171,7 @@ private:
       number_[v] = Index(vertices_.size());
       vertices_.push_back(v);
       incident_.emplace_back();
+      edges_left_.push_back(0);
     }
     return number_[v];
   }
@@ -180,17 +184,8 @@ private:
     for (const Index e : incident_[v])
       if (edges_[e].is_left) function(e);
   }
-  bool has_edges(Index v) const
-  {
-    return std::any_of(incident_[v].begin(), incident_[v].end(), [&](Index e) { return edges_[e].is_left; });
-  }
   // With the border's edges.
-  int degree(Index v) const
-  {
-    int n = mesh_.is_border_vertex(vertices_[v]) ? 2 : 0;
-    for_each_incident(v, [&](Index) { ++n; });
-    return n;
-  }
+  int degree(Index v) const { return edges_left_[v] + (mesh_.is_border_vertex(vertices_[v]) ? 2 : 0); }
 
   double length_of(const std::vector<Index>& edges) const
   {
@@ -205,9 +200,16 @@ private:
   {
     return std::accumulate(edges_.begin(), edges_.end(), 0., [](double sum, const Edge& e) { return sum + (e.is_left ? e.length : 0); });
   }
+  void take_out(Index e)
+  {
+    if (!edges_[e].is_left) return;
+    edges_[e].is_left = false;
+    for (const Index v : edges_[e].ends) --edges_left_[v];
+  }
   void drop(const std::vector<Index>& edges)
   {
-    for (const Index e : edges) edges_[e].is_left = edges_[e].is_certain;
+    for (const Index e : edges)
+      if (!edges_[e].is_certain) take_out(e);
   }
   bool has_certain_edge(const Chain& chain) const
   {
@@ -235,24 +237,28 @@ private:
   const Remeshing_mesh& mesh_;
   double length_;
   std::vector<Index> number_, vertices_;       // of the mesh's vertices here, and back
-  std::vector<std::vector<Index>> incident_;
+  std::vector<std::vector<Index>> incident_;   // by vertex: its edges
+  std::vector<int> edges_left_;                // by vertex: how many of these are left
   std::vector<Edge> edges_;
 };
 
 inline std::vector<std::vector<Feature_graph::Index>> Feature_graph::components() const
 {
   std::vector<std::vector<Index>> result;
-  std::vector<char> is_passed(edges_.size(), 0);
+  std::vector<char> is_passed(edges_.size(), 0), is_vertex_passed(vertices_.size(), 0);
   for (Index first = 0; first < Index(edges_.size()); ++first) {
     if (is_passed[first] || !edges_[first].is_left) continue;
     result.emplace_back(1, first);
     is_passed[first] = 1;
     for (std::size_t i = 0; i < result.back().size(); ++i)
-      for (const Index v : edges_[result.back()[i]].ends)
+      for (const Index v : edges_[result.back()[i]].ends) {
+        if (is_vertex_passed[v]) continue;
+        is_vertex_passed[v] = 1;
         for_each_incident(v, [&](Index e) {
           if (!is_passed[e]) result.back().push_back(e);
           is_passed[e] = 1;
         });
+      }
   }
   return result;
 }
@@ -305,12 +311,13 @@ inline void Feature_graph::drop_dangling_chains(double least_angle)
 
 inline void Feature_graph::cut_out(const std::vector<double>& density, double largest)
 {
-  std::vector<char> is_cut(vertices_.size(), 0);
+  std::vector<char> is_cut(vertices_.size(), 0), is_settled(vertices_.size(), 0);     // by vertex; settled: looked at since the last cut
   std::vector<Index> cut;
-  const auto take_out = [&](Index e) {
-    edges_[e].is_left = false;
+  const auto cut_off = [&](Index e) {
+    take_out(e);
     for (const Index v : edges_[e].ends) {
       is_cut[v] = 1;
+      is_settled[v] = 0;
       cut.push_back(v);
     }
   };
@@ -320,13 +327,17 @@ inline void Feature_graph::cut_out(const std::vector<double>& density, double la
     const double all = length_of(component), bound = dense > all / 2 ? largest / 2 : largest;
     const std::size_t first = cut.size();
     for (const Index e : component)
-      if (density[e] > bound) take_out(e);
+      if (density[e] > bound) cut_off(e);
     const std::size_t last = cut.size();
-    for (std::size_t i = first; i < (dense > SPREADING_SHARE * all ? cut.size() : last); ++i)
-      if (const Index v = cut[i]; bends(v))
-        for (const Index beside : incident_[v])
-          if (edges_[beside].is_left)
-            for (const Index e : edges_up_to_corner(v, beside, RAGGED_LENGTH * length_)) take_out(e);
+    for (std::size_t i = first; i < (dense > SPREADING_SHARE * all ? cut.size() : last); ++i) {
+      const Index v = cut[i];
+      if (is_settled[v]) continue;
+      is_settled[v] = 1;
+      if (bends(v))
+        for_each_incident(v, [&](Index beside) {
+          for (const Index e : edges_up_to_corner(v, beside, RAGGED_LENGTH * length_)) cut_off(e);
+        });
+    }
   }
   for (const Chain& chain : chains()) {
     const auto new_ends = std::count_if(chain.ends.begin(), chain.ends.end(), [&](Index v) {
@@ -361,7 +372,7 @@ inline void Feature_graph::drop_trees()
     ends.pop_back();
     if (degree(v) != 1) continue;
     for_each_incident(v, [&](Index e) {
-      edges_[e].is_left = false;
+      take_out(e);
       ends.push_back(other_end(e, v));
     });
   }
@@ -370,9 +381,11 @@ inline void Feature_graph::drop_trees()
 // Whether v is not the middle of a smooth curve.
 inline bool Feature_graph::bends(Index v) const
 {
-  std::vector<Vector3> directions;
-  for_each_incident(v, [&](Index e) { directions.push_back(position(other_end(e, v)) - position(v)); });
-  return degree(v) != 2 || directions.size() != 2 || !is_cosine_at_least(directions[0], -1. * directions[1], CORNER_COSINE);
+  if (degree(v) != 2 || edges_left_[v] != 2) return true;
+  std::array<Vector3, 2> directions;
+  std::size_t n = 0;
+  for_each_incident(v, [&](Index e) { directions[n++] = position(other_end(e, v)) - position(v); });
+  return !is_cosine_at_least(directions[0], -1. * directions[1], CORNER_COSINE);
 }
 
 inline bool Feature_graph::is_fit(const std::vector<Index>& component) const

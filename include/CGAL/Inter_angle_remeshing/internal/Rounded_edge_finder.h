@@ -41,8 +41,10 @@ public:
   Rounded_edge_finder(const Remeshing_mesh& mesh, const std::vector<Vector3>& normal, const std::vector<Index>& features,
                       std::vector<double> target_length)
     : mesh_(mesh), normal_(normal), target_length_(std::move(target_length)),
-      state_(4 * mesh.number_of_face_slots(), State::plain)
+      state_(4 * mesh.number_of_face_slots(), State::plain), curves_at_(mesh.number_of_vertex_slots(), 0)
   {
+    for (Index v = 0; v < Index(curves_at_.size()); ++v)
+      if (mesh.is_border_vertex(v)) curves_at_[v] = 2;
     for (const Index h : features) mark(h, State::feature);
   }
 
@@ -127,21 +129,15 @@ private:
     return (1 / length(d)) * d;
   }
 
+  bool is_curve(Index h) const { return state_[h] == State::chosen || state_[h] == State::feature; }
   void mark(Index h, State state)
   {
+    const bool was_curve = is_curve(h);
     state_[h] = state;
-    if (mesh_.opposite(h) >= 0) state_[mesh_.opposite(h)] = state;
-  }
-  bool is_curve(Index h) const { return state_[h] == State::chosen || state_[h] == State::feature; }
-  // The number of curve edges at v, and whether one of them is that of a fillet.
-  std::pair<int, bool> curves_at(Index v) const
-  {
-    std::pair<int, bool> result(mesh_.is_border_vertex(v) ? 2 : 0, false);
-    mesh_.for_each_around(v, [&](Index h) {
-      result.first += is_curve(h) && !mesh_.is_border(h);
-      result.second = result.second || state_[h] == State::chosen;
-    });
-    return result;
+    if (mesh_.is_border(h)) return;
+    state_[mesh_.opposite(h)] = state;
+    if (is_curve(h) != was_curve)
+      for (const Index v : {mesh_.origin(h), mesh_.target(h)}) curves_at_[v] += was_curve ? -1 : 1;
   }
 
   std::vector<Index> chosen_edges() const
@@ -168,6 +164,7 @@ private:
   const std::vector<Vector3>& normal_;
   std::vector<double> target_length_;
   std::vector<State> state_;               // by half-edge
+  std::vector<int> curves_at_;             // by vertex: the number of curve edges, with those of the border
   std::vector<Chain> chains_;
   std::array<Way, 2> ways_;                // on both sides of an edge
 };
@@ -212,8 +209,9 @@ inline bool Rounded_edge_finder::walk(Index h, double distance, Way& way) const
 inline double Rounded_edge_finder::imbalance_on_fillet(Index h, const Scale& scale)
 {
   constexpr double none = std::numeric_limits<double>::infinity();
-  if (turn(normal(h), normal(mesh_.opposite(h))) < LEAST_TURN_OF_EDGE) return none;
   const std::array<Index, 2> sides = {h, mesh_.opposite(h)};
+  const double own = turn(normal(h), normal(sides[1]));
+  if (own < LEAST_TURN_OF_EDGE) return none;
   const double widest = scale.width * target_length(h), reach = REACH * widest;
   std::array<Vector3, 2> beyond;
   std::array<double, 2> turns, widths = {0, 0};
@@ -233,7 +231,7 @@ inline double Rounded_edge_finder::imbalance_on_fillet(Index h, const Scale& sca
       if (step.distance <= reach - margin) n = normal(step.halfedge);
     if (widths[k] > reach - margin || turn(n, beyond[k]) > FLAT) return none;
   }
-  const double own = turn(normal(h), normal(mesh_.opposite(h))), whole = turn(beyond[0], beyond[1]);
+  const double whole = turn(beyond[0], beyond[1]);
   if (widths[0] + widths[1] > widest || whole < LEAST_TURN || whole > scale.most_turn ||
       turns[0] + own + turns[1] > MOST_SWAY * whole) return none;
   return (std::max)(0., std::abs(turns[0] - turns[1]) - own) / whole;
@@ -341,7 +339,7 @@ inline void Rounded_edge_finder::settle_free_ends(double widest, double length_a
   for (const Chain& chain : chains_) {
     int free_ends = 0;
     for (const Index h : {chain.back(), mesh_.opposite(chain.front())})
-      free_ends += curves_at(mesh_.target(h)).first == 1 && !join(h, widest * target_length(h));
+      free_ends += curves_at_[mesh_.target(h)] == 1 && !join(h, widest * target_length(h));
     if (length_of(chain) < free_ends * length_a_free_end * target_length(chain.front()))
       for (const Index h : chain) mark(h, State::plain);
   }
@@ -361,7 +359,7 @@ inline bool Rounded_edge_finder::join(Index h, double distance)
     const auto [path, v, edge] = queue.top();
     queue.pop();
     if (!last_edge.emplace(v, edge).second) continue;
-    if (v != end && curves_at(v).first > 0) {
+    if (v != end && curves_at_[v] > 0) {
       for (Index u = v; u != end; u = mesh_.origin(last_edge.at(u))) mark(last_edge.at(u), State::chosen);
       return true;
     }
@@ -376,13 +374,12 @@ inline bool Rounded_edge_finder::join(Index h, double distance)
 
 inline std::vector<Rounded_edge_finder::Index> Rounded_edge_finder::find_joints() const
 {
-  const auto is_junction = [&](Index v) {
-    const auto [edges, has_fillet] = curves_at(v);
-    return edges > 2 && has_fillet;
-  };
+  std::vector<char> is_junction(curves_at_.size(), 0);           // by vertex: whether a fillet meets other curves there
+  for (const Index h : chosen_edges())
+    for (const Index v : {mesh_.origin(h), mesh_.target(h)}) is_junction[v] = curves_at_[v] > 2;
   std::vector<Index> result;
   for (Index h = 0; h < Index(state_.size()); ++h) {
-    if (mesh_.corner(h) == 3 || !is_curve(h) || mesh_.is_border(h) || !is_junction(mesh_.origin(h))) continue;
+    if (mesh_.corner(h) == 3 || !is_curve(h) || mesh_.is_border(h) || !is_junction[mesh_.origin(h)]) continue;
     std::vector<Index> passed = {mesh_.origin(h)};
     double way = 0;
     for (Index k = h; k >= 0;) {
@@ -391,8 +388,8 @@ inline std::vector<Rounded_edge_finder::Index> Rounded_edge_finder::find_joints(
       const Index v = mesh_.target(k), back = mesh_.opposite(k);
       passed.push_back(v);
       k = -1;
-      if (is_junction(v)) result.insert(result.end(), passed.begin(), passed.end());
-      else if (curves_at(v).first == 2)
+      if (is_junction[v]) result.insert(result.end(), passed.begin(), passed.end());
+      else if (curves_at_[v] == 2)
         mesh_.for_each_around(v, [&](Index following) {
           if (following != back && is_curve(following) && !mesh_.is_border(following)) k = following;
         });
