@@ -13,6 +13,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/crossings.h>
 #include <CGAL/Inter_angle_remeshing/internal/folds.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh_regions.h>
+#include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -57,11 +58,23 @@ public:
   {}
 
   // Faces with angles out of their bands, and folds; the worst ones first.
+  template <class ConcurrencyTag>
   Bad_faces find_angles_and_folds()
   {
+    std::vector<Index> suspects;
+    scan_into<ConcurrencyTag>(suspects, mesh_.number_of_face_slots(), [&](std::size_t f, std::vector<Index>& found) {
+      if (mesh_.is_face(Index(f))) append_suspects(Index(f), found);
+    });
+    return find_angles_and_folds(std::move(suspects));
+  }
+  // The same among these faces.
+  Bad_faces find_angles_and_folds(std::vector<Index> suspects)
+  {
     finds_crossings_ = false;
+    std::sort(suspects.begin(), suspects.end());
+    suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
     std::vector<std::pair<double, Index>> bad;
-    for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f)
+    for (const Index f : suspects)
       if (mesh_.is_face(f))
         if (const double v = violation(f); v > 0) bad.emplace_back(-v, f);
     std::sort(bad.begin(), bad.end());
@@ -154,6 +167,20 @@ private:
     Index face, other;
     double score;
   };
+
+  // Face f if it is out of its band; and it and those after it with which it makes more than a right angle, for one may be folded over
+  // the other. Each edge is looked at once.
+  void append_suspects(Index f, std::vector<Index>& found) const
+  {
+    if (!holds_band(mesh_, bands_, f)) found.push_back(f);
+    const Vector3 normal = mesh_.cross_product(f);
+    for (Index h = 4 * f; h < 4 * f + 3; ++h) {
+      const Index o = mesh_.opposite(h);
+      if (o < h || mesh_.is_on_curve_edge(h) || dot(normal, mesh_.cross_product(o >> 2)) >= 0) continue;
+      found.push_back(f);
+      found.push_back(o >> 2);
+    }
+  }
 
   double violation(Index f) const { return internal::violation(context_, bands_, f); }
   double score_of_violation(double v) const

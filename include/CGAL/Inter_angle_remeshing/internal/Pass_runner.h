@@ -187,7 +187,7 @@ public:
 
   void repair(Repairer& repairer)
   {
-    if (repairs()) report_.repairs += run(Pass::repair, [&]() { return repairer.run(); });
+    if (repairs()) report_.repairs += run(Pass::repair, [&]() { return repairer.template run<ConcurrencyTag>(); });
   }
 
   void release_features()

@@ -62,9 +62,15 @@ public:
 
   // Returns the number of operations. A further run looks at what has become bad since; what was given up stays so, and the
   // number of trials is that of both.
+  template <class ConcurrencyTag>
   std::size_t run()
   {
-    return mend([&]() { return faults_.find_angles_and_folds(); });
+    return mend([&]() {
+      const Faults::Bad_faces bad = round_ == 0 ? faults_.find_angles_and_folds<ConcurrencyTag>()
+                                                : faults_.find_angles_and_folds(std::move(suspects_));
+      suspects_ = bad.faces;
+      return bad;
+    });
   }
 
   // Whether the last run left faces out of their bands, or folded.
@@ -235,6 +241,7 @@ private:
     const std::vector<Index> around = ball(mesh_, touched, 2, marks_);
     descent_.sweep(around, SWEEPS);
     for (const Index g : faces_around(mesh_, around, marks_)) forget(g);
+    for (const Index g : faces_around(mesh_, ball(mesh_, around, 1, marks_), marks_)) suspects_.push_back(g);
   }
 
   Remeshing_context& context_;
@@ -249,6 +256,7 @@ private:
   Fault fault_ = Fault::angle;           // of the face at hand
   std::array<std::size_t, NUMBER_OF_FAULTS> trials_{};  // by fault; folds leave angles to mend
   std::size_t most_trials_ = 0;          // of each
+  std::vector<Index> suspects_;          // faces that are bad, or may have become so
   std::vector<char> given_up_;           // by face
   std::vector<char> in_vain_;            // by half-edge, a bit for each kind of operation
   Visit_marks marks_;
