@@ -120,7 +120,8 @@ found 99.7% is right. Of the some seventy models of \cgal that are not taken for
 0.8% of the edge length. Of ten organic models cut by three planes each, 94 to 100% of the rim are found.
 
 Complexity: linear in the number of faces, where ways across fillets look at two hundred faces at most, and on CAD models in the length of
-their sharp edges over `scale`, which are looked at in pieces as short as a fortieth of it.
+their sharp edges over `scale`, which are looked at in pieces as short as a fortieth of it; on other models the square of the faces at a
+vertex that has thousands.
 
 @tparam FaceRange a model of `ConstRange` with the faces of `TriangleMesh` as value type
 @tparam TriangleMesh a model of `FaceGraph`
