@@ -189,6 +189,41 @@ void faces_without_an_area_hide_no_edge()
   }
 }
 
+// Every n-th edge gets one more vertex, where its source is or a little beside it: edges of no length, and faces without an area.
+Mesh with_doubled_points(Mesh m, int n, double beside)
+{
+  std::vector<Edge> edges;
+  int i = 0;
+  for(const Edge e : m.edges())
+    if(i++ % n == 0 && !m.is_border(e))
+      edges.push_back(e);
+  for(const Edge e : edges)
+  {
+    const Halfedge h = m.halfedge(e), o = m.opposite(h);
+    const Point p = m.point(m.source(h)) + beside * (m.point(m.target(h)) - m.point(m.source(h)));
+    const Halfedge first = CGAL::Euler::split_edge(h, m);
+    m.point(m.target(first)) = p;
+    CGAL::Euler::split_face(first, m.next(h), m);
+    CGAL::Euler::split_face(o, m.next(m.next(o)), m);
+  }
+  return m;
+}
+
+void doubled_points_on_features_are_merged()
+{
+  for(const char* name : {"cross", "anchor", "joint"})
+    for(const double beside : {0., 1e-9})
+    {
+      const Mesh input = with_doubled_points(models::of_cgal(name), name == std::string("cross") ? 4 : 7, beside);
+      Mesh m = input;
+      const auto report = IAR::isotropic_remeshing(mean_edge_length(m), m);
+      CHECK_MESSAGE(report.angles_after.minimum > 25 && report.angles_after.maximum < 115, name << ": " << report.angles_after.minimum);
+      CHECK_MESSAGE(report.crossing_faces == 0, name << ": " << report.crossing_faces);
+      if(beside == 0)
+        CHECK_MESSAGE(invariants::surface_distance(input, m, 10000).hausdorff() < .1 * mean_edge_length(input), name);
+    }
+}
+
 // Where vertices only move, the features are those of the edges that there are.
 void without_a_length_features_are_those_of_the_mesh()
 {
@@ -2170,6 +2205,7 @@ int main()
   the_energy_of_angles_has_its_gradient();
   cad_models_have_all_their_sharp_edges();
   faces_without_an_area_hide_no_edge();
+  doubled_points_on_features_are_merged();
   without_a_length_features_are_those_of_the_mesh();
   cylinders_of_few_facets_are_cad_models();
   of_two_sides_of_a_narrow_strip_one_is_a_feature();

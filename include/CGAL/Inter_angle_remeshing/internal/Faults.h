@@ -43,6 +43,9 @@ class Faults
   // What two faces that cross each other count, and what the length of the segment in which they do, in target lengths; less where
   // the surface crosses itself: angles are not given up for what cannot be parted.
   static constexpr double CROSSING = 1000, CROSSING_LENGTH = 6000, INHERITED_CROSSING = 100;
+  // Sheets that lie on each other all over, where more faces than so many, and most of all, cross others, are not parted by the few
+  // operations that there is time for; the angles would pay for them.
+  static constexpr std::size_t HOPELESS_CROSSINGS = 200;
   // What an operation near a face changes lies within so many rings of it.
   static constexpr int REACH = 4;
 
@@ -96,6 +99,7 @@ public:
     Bad_faces result{faces_of(pairs)};
     crossing = result.faces.size();
     if (pairs.empty()) return result;
+    if (crossing > HOPELESS_CROSSINGS && 2 * crossing > mesh_.number_of_live_faces()) return {};
     if (!crossings_of_surface_) crossings_of_surface_ = Surface_crossings::find<ConcurrencyTag>(context_);
     for (const auto& [f, g] : pairs) result.score += score_of_crossing(f, g);
     const auto inherited = std::stable_partition(result.faces.begin(), result.faces.end(), [&](Index f) { return !is_inherited(f); });

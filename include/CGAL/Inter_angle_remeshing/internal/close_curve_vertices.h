@@ -8,6 +8,8 @@
 #include <CGAL/Inter_angle_remeshing/internal/curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/thin_walls.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -70,14 +72,17 @@ private:
     return result;
   }
 
-  // Whether the edge is tiny, and joins two corners, or leads from one curve to another.
+  // Whether the edge is tiny, and joins two corners, or leads from one curve to another; or whether its ends, of which one is on a curve,
+  // are the same point but for rounding.
   bool is_tiny(Index h) const
   {
+    constexpr double ROUNDING = 1e-4;                // of the tolerance
     const Index a = mesh_.origin(h), b = mesh_.target(h);
-    if (!mesh_.is_on_curve(a) || !mesh_.is_on_curve(b)) return false;
-    if (mesh_.is_on_curve_edge(h) && !(is_corner_[a] && is_corner_[b])) return false;
-    const double longest = (std::min)(tolerance_[a], tolerance_[b]);
-    return mesh_.squared_edge_length(h) <= longest * longest;
+    const bool is_a_on_curve = mesh_.is_on_curve(a), is_b_on_curve = mesh_.is_on_curve(b);
+    if (!is_a_on_curve && !is_b_on_curve) return false;
+    const double longest = !is_b_on_curve ? tolerance_[a] : !is_a_on_curve ? tolerance_[b] : (std::min)(tolerance_[a], tolerance_[b]);
+    const bool joins_curves = is_a_on_curve && is_b_on_curve && (!mesh_.is_on_curve_edge(h) || (is_corner_[a] && is_corner_[b]));
+    return mesh_.squared_edge_length(h) <= CGAL::square(joins_curves ? longest : ROUNDING * longest);
   }
 
   // Whether the surface looks to opposite sides beside the two ends, as at the rims of a thin plate or of a slit: it would become flat.
