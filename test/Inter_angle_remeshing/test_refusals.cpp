@@ -1093,7 +1093,7 @@ void a_functor_of_points_or_of_vertices_is_obeyed()
 // Several target lengths away, whichever side it looks to.
 void surfaces_far_from_the_mesh_are_reached()
 {
-  constexpr double RADIUS = 1.2;
+  constexpr double RADIUS = 2.5;
   const auto lift = [](const Point& p) {
     const double r = distance(p, CGAL::ORIGIN);
     return Point(RADIUS * p.x() / r, RADIUS * p.y() / r, RADIUS * p.z() / r);
@@ -1106,6 +1106,9 @@ void surfaces_far_from_the_mesh_are_reached()
   };
   Mesh box = to_mesh<Mesh>(cube(20).moved(-.5, -.5, -.5));
   check(box, IAR::isotropic_remeshing(.05, box, parameters::projection_functor(lift)), .01, "from a cube");
+  Mesh counted = to_mesh<Mesh>(sphere(3));
+  check(counted, IAR::isotropic_remeshing(IAR::Face_count(3000), counted, parameters::projection_functor(lift)), .01, "a number of faces");
+  CHECK(std::abs(double(counted.number_of_faces()) - 3000) < 30);
   Mesh around = to_mesh<Mesh>(sphere(4));
   for(const auto v : around.vertices())
     around.point(v) = lift(around.point(v));

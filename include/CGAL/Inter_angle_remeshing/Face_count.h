@@ -46,10 +46,10 @@ forbid more than lengths ask for, it is 1 to 2 times as many on most, up to 8 ti
 */
 struct Face_count
 {
-  /// @tparam Number an arithmetic type
+  /// @tparam Number an arithmetic type, or what is convertible to one
   /// @param n the wanted number of faces; a fraction is dropped
   /// @throws CGAL::Precondition_exception if `n` is negative, or so large that it cannot be indexed
-  template <class Number, class = std::enable_if_t<std::is_arithmetic<Number>::value>>
+  template <class Number, class = std::enable_if_t<std::is_convertible<Number, double>::value>>
   explicit Face_count(Number n) : value(internal::checked_face_count(n)) {}
 
   /// the same number of faces, sized by a field: its lengths are multiplied by the one factor that yields so many.

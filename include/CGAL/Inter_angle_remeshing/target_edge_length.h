@@ -5,6 +5,7 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_TARGET_EDGE_LENGTH_H
 #define CGAL_INTER_ANGLE_REMESHING_TARGET_EDGE_LENGTH_H
 
+#include <CGAL/Inter_angle_remeshing/internal/cross_products.h>
 #include <CGAL/Inter_angle_remeshing/internal/flat_copy.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -16,15 +17,6 @@
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
-
-// The area of the mesh, in its own units.
-inline double area(const Remeshing_mesh& mesh)
-{
-  double doubled = 0;
-  for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(mesh.number_of_face_slots()); ++f)
-    if (mesh.is_face(f)) doubled += length(mesh.cross_product(f));
-  return doubled / 2;
-}
 
 // n equilateral triangles of edge l cover √3/4 n l²; the remesher was measured to yield as many as if its edges were 5%
 // shorter than their target.

@@ -54,6 +54,7 @@ public:
 
   void run()
   {
+    passes_.go_to_far_surface();
     Face_count_steering steering(context_.target_length);
     while (clock_.has_iterations_left() && passes_.goes_on()) {
       steering.steer(context_, clock_, passes_.wanted_faces());
@@ -74,7 +75,6 @@ private:
     clock_.start_iteration();
     context_.visitor.start_iteration(clock_.iterations(), mesh_);
     if (clock_.is_late() && clock_.is_at_finest_level()) passes_.release_features();
-    passes_.go_to_far_surface();
     const int halvings = clock_.iterations() == 0 || is_only_split_ ? halvings_to_do() : 0;
     passes_.split_and_collapse();
     is_only_split_ = is_only_to_be_split(halvings);

@@ -30,6 +30,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/subdivision_pass.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <limits>
@@ -131,20 +132,23 @@ public:
     });
   }
 
-  // A surface that is far away is reached in a few steps, if at all.
+  // A surface that is far away is reached in a few steps before the iterations, if at all: in each one some faces may turn, and iterations
+  // would multiply them. A wanted number of faces is one of that surface.
   void go_to_far_surface()
   {
     constexpr int MOST_STEPS = 4;
-    if (recipe_.sweeps == 0) return;
+    if (recipe_.sweeps == 0 || !goes_on() || !is_surface_far(context_)) return;
+    const double area_before = area(mesh_);
     std::size_t moved = 1;
     for (int step = 0; step < MOST_STEPS && moved > 0 && goes_on() && is_surface_far(context_); ++step)
       run(Pass::relax, [&]() {
         for_each_vertex_of_a_visitor([&](Mesh_vertex v) { context_.visitor.before_move(v, mesh_); });
         moved = projection_pass<ConcurrencyTag>(context_);
         for_each_vertex_of_a_visitor([&](Mesh_vertex v) { context_.visitor.after_move(v, mesh_); });
-        if (moved > 0) check_number_of_faces();
         return moved;
       });
+    if (wanted_faces() > 0 && area_before > 0) context_.target_length *= std::sqrt(area(mesh_) / area_before);
+    check_number_of_faces();
   }
 
   void subdivide()
@@ -255,7 +259,8 @@ private:
   // The surface may be larger than the mesh by any factor.
   void check_number_of_faces() const
   {
-    const double faces = context_.keeps_vertices ? 0. : context_.grading.number_of_faces(mesh_, context_.target_length);
+    const double length = std::ldexp(context_.target_length, -int(clock_.levels_left())),
+                 faces = context_.keeps_vertices ? 0. : context_.grading.number_of_faces(mesh_, length);
     if (!(faces <= MAXIMUM_NUMBER_OF_FACES))
       refuse(REMESHING, "the surface of the projection functor is so large that about " + to_text(faces) + " faces were needed; at most " +
                         to_text(MAXIMUM_NUMBER_OF_FACES) + " can be indexed");

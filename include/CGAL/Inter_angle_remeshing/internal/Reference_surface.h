@@ -117,12 +117,11 @@ private:
       : surface_(surface), q_(q), normal_(normal), least_(radius * radius)
     {}
 
-    bool go_further() const { return visited_ < MOST_VISITED; }
+    bool go_further() const { return incompatible_ < MOST_INCOMPATIBLE; }
     void intersection(const Kernel::Point_3&, const Face_primitive& face)
     {
-      ++visited_;
       const Index f = face.id();
-      if (!(dot(surface_.cross_product(f), normal_) > 0)) return;
+      if (!(dot(surface_.cross_product(f), normal_) > 0)) { ++incompatible_; return; }
       const Vector3 p = closest_point_on_face(surface_, q_, f).point;
       const double d = squared_distance(q_, p);
       if (d > least_ || (d == least_ && (face_ < 0 || f > face_))) return;
@@ -144,13 +143,13 @@ private:
 
   private:
     // A surface that is far away, and looks elsewhere all over, is given up.
-    static constexpr int MOST_VISITED = 4096;
+    static constexpr int MOST_INCOMPATIBLE = 4096;
 
     const Reference_surface& surface_;
     Vector3 q_, normal_, point_;
     double least_;
     Index face_ = -1;
-    int visited_ = 0;
+    int incompatible_ = 0;               // faces that were looked at in vain
   };
 
   // How far away from q a face may be that looks the right way and wins over f, on which the closest point lies.

@@ -17,6 +17,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/coarse_levels.h>
 #include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
 #include <CGAL/Inter_angle_remeshing/internal/curve_edges.h>
+#include <CGAL/Inter_angle_remeshing/internal/projection_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/run_passes.h>
 #include <CGAL/Inter_angle_remeshing/internal/spot_pass.h>
 
@@ -92,7 +93,7 @@ private:
         has_protected_edges()) return;
     const Coarse_levels coarse_levels = Coarse_levels::measure<ConcurrencyTag>(mesh_, context_.target_length);
     clock_.set_levels(coarse_levels.number(context_.target_length));
-    if (clock_.levels() > 0)
+    if (clock_.levels() > 0 && !is_surface_far(context_))
       held_ = coarse_levels.bent_vertices(std::ldexp(context_.target_length, int(clock_.levels())));
   }
 

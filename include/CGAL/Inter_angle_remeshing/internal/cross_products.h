@@ -49,6 +49,15 @@ inline Vector3 star_cross_product(const Remeshing_mesh& mesh, Remeshing_mesh::In
   return sum;
 }
 
+// The area of the mesh, in its own units.
+inline double area(const Remeshing_mesh& mesh)
+{
+  double doubled = 0;
+  for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(mesh.number_of_face_slots()); ++f)
+    if (mesh.is_face(f)) doubled += length(mesh.cross_product(f));
+  return doubled / 2;
+}
+
 } // namespace internal
 } // namespace Inter_angle_remeshing
 } // namespace CGAL

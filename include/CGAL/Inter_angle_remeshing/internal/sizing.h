@@ -69,9 +69,9 @@ public:
         corner[k] = {mesh.position(v), lengths[mesh.input(v)]};
       }
       const double doubled_area = length(mesh.cross_product(f));
-      int cuts = 0;
-      for (double samples = FEWEST_SAMPLES * doubled_area / area; function_ && samples > 1; samples /= 4) ++cuts;
-      count += integral(corner, doubled_area, cuts, cuts + MOST_CUTS);
+      if (!(doubled_area > 0)) continue;
+      const auto cuts_for = [&](double pieces) { return (std::max)(0, int(std::ceil(std::log2(pieces * doubled_area / area) / 2))); };
+      count += integral(corner, doubled_area, function_ ? cuts_for(FEWEST_PIECES) : 0, cuts_for(MOST_PIECES));
     }
     reference_length_ = count > 0 ? std::sqrt(area / count) : lengths.front();
     if (!(reference_length_ > 0)) refuse_too_small_field();
@@ -113,10 +113,9 @@ private:
   };
   using Corners = std::array<Corner, 3>;
 
-  // Triangles that a function is asked about, at least, over the whole range; and how often one is cut into four, beyond that, while
-  // the lengths at its corners differ by more than this factor.
-  static constexpr double FEWEST_SAMPLES = 4096, EVEN = 1.5;
-  static constexpr int MOST_CUTS = 8;
+  // Of about so many pieces of the same area, over the whole range, a function is asked about the corners; and of as many more as there are
+  // with the second number, as long as the lengths at those of one differ by more than this factor.
+  static constexpr double FEWEST_PIECES = 4096, MOST_PIECES = 1 << 18, EVEN = 1.5;
 
   double length_by_function(const Vector3& p) const
   {
