@@ -19,7 +19,8 @@ All members are called one at a time, whatever the concurrency tag. An exception
 leaves the user's mesh as it was.
 
 Passes that mend what the iterations left, after the last of them, are announced by `start_pass()` and `end_pass()` like
-the others, but belong to no iteration. So are the passes of the finer levels of a run that began on a coarser one, see
+the others, but belong to no iteration. So are up to four passes `Pass::relax` before the first one, by which all vertices go to a
+surface far from the mesh, and the passes of the finer levels of a run that began on a coarser one, see
 `CGAL::Inter_angle_remeshing::Recipe::multi_level`; where such a run is not good enough, the iterations are made anew, on the
 target length, and counted from 0 again.
 
