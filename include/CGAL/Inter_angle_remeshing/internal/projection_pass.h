@@ -22,12 +22,12 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// Whether a good part of some vertices are further from the surface than the target length.
+// Whether a tenth of some vertices are further from the surface than the target length: fewer are tips and noise, which the passes see to.
 inline bool is_surface_far(const Remeshing_context& context)
 {
   using Index = Remeshing_mesh::Index;
   constexpr Index SAMPLES = 64;
-  constexpr int GOOD_PART = 10;
+  constexpr int TENTH = 10;
   const Remeshing_mesh& mesh = context.mesh;
   if (!context.projector.may_be_elsewhere) return false;
   int vertices = 0, far_ones = 0;
@@ -38,16 +38,17 @@ inline bool is_surface_far(const Remeshing_context& context)
     ++vertices;
     far_ones += squared_distance(context.projector(mesh.position(v), hint), mesh.position(v)) > CGAL::square(context.length_at(v));
   }
-  return GOOD_PART * far_ones > vertices;
+  return TENTH * far_ones > vertices;
 }
 
 // Moves the vertices that are free the whole way to the surface, or the largest part of it, of a half, a quarter ..., that turns hardly
-// a face. Returns how many have moved.
+// a face: those few are mended afterwards, while a single one that had to wait would hold back all the others. Returns how many have moved.
 template <class ConcurrencyTag>
 std::size_t projection_pass(Remeshing_context& context)
 {
   using Index = Remeshing_mesh::Index;
   constexpr std::size_t BLOCK = 256;
+  // A face is turned that no step of the sweeps may turn so far; less than the shortest part gets nowhere in a few steps.
   constexpr double SHORTEST_PART = 1. / 16, FEW_FACES = 0.05, TURNED_COSINE = 0.5;
   Remeshing_mesh& mesh = context.mesh;
   const std::size_t n = mesh.number_of_vertex_slots();

@@ -241,6 +241,7 @@ private:
     const std::vector<Index> around = ball(mesh_, touched, 2, marks_);
     descent_.sweep(around, SWEEPS);
     for (const Index g : faces_around(mesh_, around, marks_)) forget(g);
+    if (is_at_crossing(fault_)) return;                // then all faces are looked at in each round
     for (const Index g : faces_around(mesh_, ball(mesh_, around, 1, marks_), marks_)) suspects_.push_back(g);
   }
 
