@@ -354,6 +354,67 @@ void rims_of_cuts_are_features()
   }
 }
 
+// The wall of a cylinder, open at both ends: n sides, m rings.
+Soup cylinder_wall(std::size_t n, std::size_t m, double height)
+{
+  Soup soup;
+  for(std::size_t j = 0; j <= m; ++j)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const double a = 2 * CGAL_PI * double(i) / double(n);
+      soup.points.push_back({std::cos(a), std::sin(a), height * double(j) / double(m)});
+    }
+  for(std::size_t j = 0; j < m; ++j)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t k = (i + 1) % n;
+      soup.faces.push_back({j * n + i, j * n + k, j * n + n + k});
+      soup.faces.push_back({j * n + i, j * n + n + k, j * n + n + i});
+    }
+  return soup;
+}
+
+// A quarter of a turn of a coil of radius 4, whose section is a polygon of so many sides and radius 0.1, in so many long steps, closed by
+// two planes.
+Mesh bent_hose(std::size_t sides, std::size_t steps)
+{
+  Soup soup = cylinder_wall(sides, steps, CGAL_PI / 2);
+  for(auto& p : soup.points)
+  {
+    const double r = 4 + .1 * p[0], angle = p[2];
+    p = {r * std::cos(angle), r * std::sin(angle), 2 * angle - .1 * p[1]};
+  }
+  for(std::size_t i = 1; i + 1 < sides; ++i)
+  {
+    const std::size_t last = steps * sides;
+    soup.faces.push_back({0, i + 1, i});
+    soup.faces.push_back({last, last + i, last + i + 1});
+  }
+  return meshes::to_mesh<Mesh>(soup);
+}
+
+// The ends of a hose are small beside its edges, but not beside those that are wanted: they had become points, a target length short.
+void ends_of_thin_hoses_stay_flat()
+{
+  for(const std::size_t sides : {12, 24})
+  {
+    const Mesh hose = bent_hose(sides, 16);
+    std::vector<Point> on_rims;
+    for(const Edge e : hose.edges())
+      if(dihedral_angle(e, hose) > 60)
+        on_rims.push_back(CGAL::midpoint(hose.point(hose.vertex(e, 0)), hose.point(hose.vertex(e, 1))));
+    CHECK(on_rims.size() == 2 * sides);
+    CHECK(found_features(hose).empty());
+    CHECK(found_features(hose, .1).size() == 2 * sides);
+    Mesh remeshed = hose;
+    const auto report = IAR::isotropic_remeshing(.1, remeshed);
+    CHECK(report.features == Features::outstanding_edges && report.feature_edges == 2 * sides);
+    CHECK_MESSAGE(largest_distance(on_rims, remeshed) < .006, largest_distance(on_rims, remeshed));
+    CHECK_MESSAGE(report.angles_after.minimum > 20 && report.angles_after.maximum < 115,
+                  report.angles_after.minimum << " " << report.angles_after.maximum);
+  }
+}
+
 // Each coordinate of each vertex moved by some mean edge lengths, at random, with this standard deviation.
 Mesh with_noise(Mesh m, double deviation)
 {
@@ -713,26 +774,6 @@ void corners_stay()
       CHECK(corners == (input == &cube ? 8 : 4));
     }
   }
-}
-
-// The wall of a cylinder, open at both ends: n sides, m rings.
-Soup cylinder_wall(std::size_t n, std::size_t m, double height)
-{
-  Soup soup;
-  for(std::size_t j = 0; j <= m; ++j)
-    for(std::size_t i = 0; i < n; ++i)
-    {
-      const double a = 2 * CGAL_PI * double(i) / double(n);
-      soup.points.push_back({std::cos(a), std::sin(a), height * double(j) / double(m)});
-    }
-  for(std::size_t j = 0; j < m; ++j)
-    for(std::size_t i = 0; i < n; ++i)
-    {
-      const std::size_t k = (i + 1) % n;
-      soup.faces.push_back({j * n + i, j * n + k, j * n + n + k});
-      soup.faces.push_back({j * n + i, j * n + n + k, j * n + n + i});
-    }
-  return soup;
 }
 
 // Closed curves without a corner: on the polygon at its own length, on the circle where the target is much finer.
@@ -2211,6 +2252,7 @@ int main()
   of_two_sides_of_a_narrow_strip_one_is_a_feature();
   organic_models_have_next_to_none();
   rims_of_cuts_are_features();
+  ends_of_thin_hoses_stay_flat();
   a_fold_is_no_feature();
   folded_slivers_are_no_features();
   coarse_models_keep_their_creases();

@@ -67,10 +67,10 @@ at least 12 edges and five lengths, and of 40 for each end that leads nowhere; h
 more; of two chains side by side the sharper one stays, and one that runs beside itself, as around a slit, does not. The length
 is the mean edge's; of what is found, features are what passes for `scale`, too, where that is longer.
 
-Parts that are planar within half a degree, of at least 12 faces and the area of a square of the mean edge, nothing has that
+Parts that are planar within half a degree, of at least 10 faces and the area of a square of the mean edge of their rim, nothing has that
 has grown: there a model was cut, or given a base. If half of the rim of such a part has 60 degrees and more, all its edges of
-30 degrees and more are features, in components of at least five lengths, whatever they meet; but of two rims beside a narrow
-strip only the sharper one.
+30 degrees and more are features, in components of at least five times `scale`, or the mean edge without one, whatever they meet; but of
+two rims beside a narrow strip only the sharper one.
 
 Alpha wraps of parts have jagged chamfers instead of sharp edges. No edge of theirs is longer than 3.5 mean edge lengths;
 15% of the edges of 40 degrees and more are rims of chamfers one face wide, of less than 70 degrees; 0.2% turn to and fro, by 15 to

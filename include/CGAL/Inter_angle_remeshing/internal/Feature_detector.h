@@ -41,11 +41,11 @@ class Feature_detector
 public:
   using Index = Remeshing_mesh::Index;
 
-  // Features shorter than a few times `length`, or than a few edges of the mesh, are none: of those that the mesh has on its own, a
-  // greater length leaves some.
-  Feature_detector(const Remeshing_mesh& mesh, double length)
-    : mesh_(mesh), length_(length), own_length_(mean_edge_length(mesh)), normals_(mesh), kind_(normals_, own_length_),
-      unfiltered_(normals_.all())
+  // Features shorter than a few times `target_length`, or than a few edges of the mesh, are none: of those that the mesh has on its own,
+  // a greater length leaves some. With 0 they are those that the mesh has on its own.
+  Feature_detector(const Remeshing_mesh& mesh, double target_length)
+    : mesh_(mesh), own_length_(mean_edge_length(mesh)), target_length_(target_length > 0 ? target_length : own_length_),
+      length_((std::max)(target_length_, own_length_)), normals_(mesh), kind_(normals_, own_length_), unfiltered_(normals_.all())
   {}
 
   Feature_detector(const Feature_detector&) = delete;     // `kind_` refers to `normals_`
@@ -58,14 +58,15 @@ public:
   {
     if (kind_.has_voxel_stairs()) return {};
     if (kind_.is_cad()) return without_narrow_strips(kind_.sharp_edges(Model_kind::CAD_ANGLE));
-    const std::vector<Index> rims = planar_rims(normals_, own_length_, kind_.sharp_edges());
+    const std::vector<Index> rims = planar_rims(normals_, kind_.sharp_edges());
     Outstanding_edges outstanding(normals_, own_length_, kind_.sharp_edges());
     if (outstanding.are_none() && rims.empty()) return {};
     const std::vector<Index> edges = outstanding.find();
     std::vector<Index> found;
     std::set_union(edges.begin(), edges.end(), rims.begin(), rims.end(), std::back_inserter(found));
-    found = long_chains(found, long_rims(rims, own_length_), own_length_);
-    return length_ > own_length_ ? long_chains(found, long_rims(rims, length_), length_) : found;
+    const std::vector<Index> certain = long_rims(rims);
+    found = long_chains(found, certain, own_length_);
+    return length_ > own_length_ ? long_chains(found, certain, length_) : found;
   }
 
   // What edges of the target lengths, by face, would cut off: the same, the creases of a model that is no CAD model and coarse for the
@@ -131,13 +132,13 @@ private:
     return graph.edges();
   }
 
-  // Of the edges of rims, sorted, those that are certain to be features at the scale of the length.
-  std::vector<Index> long_rims(const std::vector<Index>& rims, double length) const
+  // Of the edges of rims, sorted, those that are certain to be features: the end of a long thin pipe is small beside the pipe's edges.
+  std::vector<Index> long_rims(const std::vector<Index>& rims) const
   {
-    Feature_graph graph(mesh_, length);
+    Feature_graph graph(mesh_, target_length_);
     for (const Index h : rims) graph.add(h, normals_.angle(h));
     graph.drop_short_components(LEAST_RIM);
-    graph.drop_sides_of_strips(NARROW * length);
+    graph.drop_sides_of_strips(NARROW * target_length_);
     return graph.edges();
   }
 
@@ -167,7 +168,7 @@ private:
   }
 
   const Remeshing_mesh& mesh_;
-  double length_, own_length_;
+  double own_length_, target_length_, length_;
   Face_normals normals_;
   Model_kind kind_;
   std::vector<Vector3> unfiltered_;      // normals

@@ -50,7 +50,7 @@ public:
       std::vector<double> lengths_in_part;
       for (const Index f : faces) lengths_in_part.push_back(lengths[f]);
       if (!is_large(part, *std::max_element(lengths_in_part.begin(), lengths_in_part.end()))) continue;
-      Feature_detector detector(part, (std::max)(length, mean_edge_length(part)));
+      Feature_detector detector(part, length);
       if (!detector.kind().is_cad()) continue;
       for (const Index h : find(detector, lengths_in_part)) result.edges.push_back(4 * faces[h >> 2] + (h & 3));
       result.faces.insert(result.faces.end(), faces.begin(), faces.end());

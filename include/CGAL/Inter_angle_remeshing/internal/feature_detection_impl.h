@@ -10,7 +10,6 @@
 #include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
 #include <CGAL/Inter_angle_remeshing/internal/feature_detection.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -30,7 +29,7 @@ CGAL_INTER_ANGLE_REMESHING_INLINE
 std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, double length, double fillet_width,
                                                  double relief_density)
 {
-  Feature_detector detector(mesh, (std::max)(length, mean_edge_length(mesh)));
+  Feature_detector detector(mesh, length);
   return features_with_parts(mesh, detector, length, std::vector<double>(mesh.number_of_face_slots(), length),
                              [&](Feature_detector& d, const std::vector<double>& lengths) {
     return d.features_for(lengths, fillet_width, relief_density).edges; }).edges;

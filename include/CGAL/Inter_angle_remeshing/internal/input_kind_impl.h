@@ -9,7 +9,6 @@
 #include <CGAL/Inter_angle_remeshing/internal/cad_parts.h>
 #include <CGAL/Inter_angle_remeshing/internal/input_kind.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -46,8 +45,7 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
   Input_kind kind{false, false, false, Features::none, features_of(mesh).size(), 0, {}, {}};
   if (kind.feature_edges > 0) kind.features = Features::marked;
   if (!keeps_surface || recipe.surface == Recipe::Surface::paper) return kind;
-  const double detail = (std::max)(target.length, mean_length);
-  Feature_detector detector(mesh, detail);
+  Feature_detector detector(mesh, target.length);
   kind.is_cad = detector.kind().is_cad();
   kind.is_faceted = kind.is_cad || detector.kind().has_jagged_chamfers() || detector.kind().has_voxel_stairs();
   kind.saddle_excess = detector.kind().saddle_excess();
