@@ -12,6 +12,8 @@
 #include <CGAL/Inter_angle_remeshing/internal/evaluate_then_apply.h>
 #include <CGAL/Inter_angle_remeshing/internal/thin_angles.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -209,10 +211,8 @@ std::size_t collapse_pass(Remeshing_context& context, std::vector<Remeshing_mesh
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
-  const double length = context.target_length;
-  const auto squared = [](double x) { return x * x; };
-  const Collapse_limits limits{context.squared_length_limit(), squared(context.recipe.collapse_tolerance * length),
-                               MAXIMUM_MERGED_VALENCE};
+  const Collapse_limits limits{context.squared_length_limit(),
+                               CGAL::square(context.recipe.collapse_tolerance * context.target_length), MAXIMUM_MERGED_VALENCE};
   const auto is_too_short = [&](Index h) {
     return mesh.has_place(h) ? is_too_short_on_curve(context, h)
                              : mesh.squared_edge_length(h) < context.squared_shortness_limit(mesh.origin(h), mesh.target(h));

@@ -10,6 +10,8 @@
 #include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -62,13 +64,12 @@ inline std::size_t collapse_surplus(Remeshing_context& context, std::size_t want
   const std::size_t faces = mesh.number_of_live_faces();
   const std::size_t goal = (std::max)(wanted_faces, faces - std::size_t(MOST_CORRECTED * double(faces)));
   if (faces <= goal + 1) return 0;
-  const auto squared = [](double x) { return x * x; };
   const auto edges = edges_by_length(context);
   std::size_t collapses = 0;
   for (const Surplus_limits& surplus : SURPLUS_LIMITS) {
     if (surplus.tolerance > 1 && mesh.has_curves()) break;
-    const Collapse_limits limits{squared(CLEAN_UP_LENGTH * context.target_length),
-                                 squared(surplus.tolerance * context.recipe.collapse_tolerance * context.target_length),
+    const Collapse_limits limits{CGAL::square(CLEAN_UP_LENGTH * context.target_length),
+                                 CGAL::square(surplus.tolerance * context.recipe.collapse_tolerance * context.target_length),
                                  surplus.valence};
     for (const auto& e : edges) {
       if (mesh.number_of_live_faces() <= goal + 1) break;

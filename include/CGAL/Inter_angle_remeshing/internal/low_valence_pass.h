@@ -8,6 +8,8 @@
 #include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/regular_valence.h>
 
+#include <CGAL/number_utils.h>
+
 #include <limits>
 
 // After the last iteration: removes free vertices of valence 4 and less, which are too poor to become regular, where
@@ -26,13 +28,12 @@ inline int collapse_gain(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
   using Index = Remeshing_mesh::Index;
   const Index a = mesh.origin(h);
-  const auto squared = [](int x) { return x * x; };
   const Index o = mesh.opposite(h);
   const int at_a = mesh.deviation(a), at_b = sector_deviation(mesh, o);
-  int gain = squared(at_b + mesh.valence(a) - 4) - squared(at_a) - squared(at_b);
+  int gain = CGAL::square(at_b + mesh.valence(a) - 4) - CGAL::square(at_a) - CGAL::square(at_b);
   for (const Index k : {mesh.prev(h), mesh.prev(o)}) {
     const int at_apex = sector_deviation(mesh, k);
-    gain += squared(at_apex - 1) - squared(at_apex);
+    gain += CGAL::square(at_apex - 1) - CGAL::square(at_apex);
   }
   return gain;
 }
@@ -43,8 +44,8 @@ std::size_t low_valence_pass(Remeshing_context& context)
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
-  const double length = context.target_length, tolerance = context.recipe.collapse_tolerance * length;
-  const Collapse_limits limits{CLEAN_UP_LENGTH * length * CLEAN_UP_LENGTH * length, tolerance * tolerance,
+  const double length = context.target_length;
+  const Collapse_limits limits{CGAL::square(CLEAN_UP_LENGTH * length), CGAL::square(context.recipe.collapse_tolerance * length),
                                MAXIMUM_MERGED_VALENCE};
   std::size_t collapses = 0;
   measure_regular_valences<ConcurrencyTag>(mesh, context.recipe.curvature_valences);
