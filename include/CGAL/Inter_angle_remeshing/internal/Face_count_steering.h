@@ -22,7 +22,7 @@ namespace internal {
 // value by the factors in the table. What differs from that, half of it on a logarithmic scale, corrects the length.
 class Face_count_steering
 {
-  static constexpr double EXCESS[] = {1.15, 1.075, 1.045, 1.03, 1.018, 1.012, 1.007};
+  static constexpr double EXCESS[] = {1.075, 1.045, 1.03, 1.018, 1.012, 1.007};     // from the second iteration on
   static constexpr std::size_t SIZE = sizeof(EXCESS) / sizeof(EXCESS[0]);
   // Until the count is this near, the mesh is still being coarsened, and says nothing about the length. One that is
   // refined comes from below, where the table does not hold, but the length that the run began with does, within 1%.
@@ -48,7 +48,7 @@ public:
     }
     is_refined_ = is_refined_ || ratio < 1 / NEAR;
     if (is_refined_ || ratio > NEAR || ++steerings_ < 2) return;
-    const double expected = 1.01 * double(wanted_faces) * EXCESS[(std::min)(steerings_ - 1, SIZE - 1)];
+    const double expected = 1.01 * double(wanted_faces) * EXCESS[(std::min)(steerings_ - 2, SIZE - 1)];
     length *= std::sqrt(faces / expected);
     length = (std::max)(SHORTEST * first_target_length_, (std::min)(LONGEST * first_target_length_, length));
   }
