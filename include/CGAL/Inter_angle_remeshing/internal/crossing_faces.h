@@ -10,6 +10,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Point_grid.h>
 #include <CGAL/Inter_angle_remeshing/internal/crossings.h>
 #include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
+#include <CGAL/Inter_angle_remeshing/internal/power_of_two_unit.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Box_intersection_d/Box_with_handle_d.h>
@@ -19,7 +20,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -67,9 +67,9 @@ public:
     std::vector<std::pair<Index, Index>> result;
     // Of the mesh and its surface; a projector of the user's may have led further away than rounded boxes are good for.
     constexpr double LARGEST_EXTENT = 2;
-    const double extent = list_faces();
+    list_faces();
     if (faces_.empty()) return result;
-    const bool has_cells = extent <= LARGEST_EXTENT;
+    const bool has_cells = larger_extent(0, box_.high - box_.low) <= LARGEST_EXTENT;
     if (has_cells) { round_boxes(); fill_cells(); }
     if (!has_cells || are_cells_crowded()) find_by_boxes(result);
     else
@@ -82,21 +82,13 @@ public:
   }
 
 private:
-  // Returns the largest extent of all.
-  double list_faces()
+  void list_faces()
   {
-    constexpr double inf = std::numeric_limits<double>::infinity();
-    Vector3 high{-inf, -inf, -inf};
-    low_ = {inf, inf, inf};
     for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f) {
       if (!mesh_.is_face(f)) continue;
-      for (const Index v : mesh_.face_record(f).vertex) {
-        low_ = lower_corner(low_, mesh_.position(v));
-        high = upper_corner(high, mesh_.position(v));
-      }
+      for (const Index v : mesh_.face_record(f).vertex) box_ += mesh_.position(v);
       faces_.push_back(f);
     }
-    return (std::max)({high.x - low_.x, high.y - low_.y, high.z - low_.z});
   }
 
   // The faces' normals and boxes; these are seen from the lowest corner of all, and as much too large as they may have been rounded.
@@ -108,7 +100,7 @@ private:
     for_each_block<ConcurrencyTag>(faces_.size(), SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t i = begin; i < end; ++i) {
         const Index* v = corners(Index(i));
-        const Vector3 a = mesh_.position(v[0]) - low_, b = mesh_.position(v[1]) - low_, c = mesh_.position(v[2]) - low_;
+        const Vector3 a = mesh_.position(v[0]) - box_.low, b = mesh_.position(v[1]) - box_.low, c = mesh_.position(v[2]) - box_.low;
         normals_[i] = triangle_cross(a, b, c);
         const Bounding_box box(a, b, c);
         const double least[3] = {box.low.x, box.low.y, box.low.z}, most[3] = {box.high.x, box.high.y, box.high.z};
@@ -265,7 +257,7 @@ private:
   };
 
   const Surface& mesh_;
-  Vector3 low_;                                  // corner of all faces
+  Bounding_box box_;                             // of all faces
   double inverse_cell_ = 1;
   std::vector<Index> faces_;
   std::vector<Rounded_box> boxes_;               // by number in faces_, as the normals and the entries
