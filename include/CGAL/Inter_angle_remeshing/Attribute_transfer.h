@@ -155,7 +155,10 @@ public:
   /// adds an attribute of the faces.
   /// @tparam FaceMap a class model of `ReadWritePropertyMap` with the faces of `TriangleMesh` as key type
   template <class FaceMap>
-  void add_face_map(FaceMap map) { face_maps_.push_back(std::make_shared<Face_carrier<FaceMap>>(map)); }
+  void add_face_map(FaceMap map)
+  {
+    face_maps_.push_back(std::make_shared<Carrier<face_descriptor, FaceMap, Nearest_value>>(map, Nearest_value()));
+  }
 
   /// \name Called by the remesher
   /// @{
@@ -173,7 +176,7 @@ public:
   /// reads what face number `i` of the result is to have.
   void read_face(std::size_t i, face_descriptor f)
   {
-    for (const auto& map : face_maps_) map->read(i, f);
+    for (const auto& map : face_maps_) map->read(i, {f, f, f}, {1, 0, 0});
   }
   /// writes the attributes of vertex number `i`.
   void write_vertex(std::size_t i, vertex_descriptor v)
@@ -193,7 +196,7 @@ public:
   /// @}
 
 private:
-  // What is interpolated between three elements.
+  // What is interpolated between three elements; of a face, which stands for all three, it is taken as it is.
   template <class Element>
   struct Carrier_base
   {
@@ -204,12 +207,6 @@ private:
   struct Corner_carrier_base : Carrier_base<halfedge_descriptor>
   {
     virtual bool differs(halfedge_descriptor h, halfedge_descriptor g) const = 0;
-  };
-  struct Face_carrier_base
-  {
-    virtual ~Face_carrier_base() = default;
-    virtual void read(std::size_t i, face_descriptor f) = 0;
-    virtual void write(std::size_t i, face_descriptor f) = 0;
   };
 
   // The value of each element of the result, in the order in which they are read.
@@ -262,22 +259,9 @@ private:
     }
   };
 
-  template <class Map>
-  class Face_carrier final : public Face_carrier_base
-  {
-  public:
-    explicit Face_carrier(Map map) : map_(map) {}
-    void read(std::size_t i, face_descriptor f) override { values_.set(i, get(map_, f)); }
-    void write(std::size_t i, face_descriptor f) override { put(map_, f, values_.get(i)); }
-
-  private:
-    Map map_;
-    Values<typename boost::property_traits<Map>::value_type> values_;
-  };
-
   std::vector<std::shared_ptr<Carrier_base<vertex_descriptor>>> vertex_maps_;
   std::vector<std::shared_ptr<Corner_carrier_base>> corner_maps_;
-  std::vector<std::shared_ptr<Face_carrier_base>> face_maps_;
+  std::vector<std::shared_ptr<Carrier_base<face_descriptor>>> face_maps_;
 };
 
 } // namespace Inter_angle_remeshing
