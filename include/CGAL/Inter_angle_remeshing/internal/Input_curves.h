@@ -70,7 +70,7 @@ private:
 };
 
 // The half-edge, or border side, with which the curve goes on from the target of h; h itself where it ends there.
-inline Remeshing_mesh::Index next_on_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+inline Remeshing_mesh::Index next_curve_halfedge(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
   const Remeshing_mesh::Index v = mesh.source(mesh.opposite(h)), back = mesh.opposite(h);
   Remeshing_mesh::Index result = h;
@@ -111,7 +111,7 @@ inline void Input_curves::follow(Remeshing_mesh& mesh, Index v, Index h, std::ve
       if (side >= 0) is_passed[side] = 1;
     if (k >= 0) mesh.set_curve_place(k, {curve, s, t});
     else mesh.set_curve_place(~k, {curve, t, s});
-    const Index following = next_on_curve(mesh, k);
+    const Index following = next_curve_halfedge(mesh, k);
     if (following == k) break;
     if (u == v) { is_closed = true; break; }
     k = following;

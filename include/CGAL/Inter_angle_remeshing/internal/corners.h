@@ -22,7 +22,7 @@ namespace internal {
 constexpr int MAXIMUM_CURVE_STEPS = 1000;
 
 // The vertex after u on the curve that comes from `previous`; negative where the curve ends or branches at u.
-inline Remeshing_mesh::Index next_along_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index previous, Remeshing_mesh::Index u)
+inline Remeshing_mesh::Index next_curve_vertex(const Remeshing_mesh& mesh, Remeshing_mesh::Index previous, Remeshing_mesh::Index u)
 {
   Remeshing_mesh::Index following = -1;
   int edges = 0;
@@ -48,7 +48,7 @@ inline Curve_arm curve_arm(const Remeshing_mesh& mesh, const std::vector<char>& 
   Remeshing_mesh::Index previous = v;
   for (int step = 0; step < MAXIMUM_CURVE_STEPS && mesh.position(u) == mesh.position(v); ++step) {
     arm.passes_corner = arm.passes_corner || is_corner[u];
-    const Remeshing_mesh::Index following = next_along_curve(mesh, previous, u);
+    const Remeshing_mesh::Index following = next_curve_vertex(mesh, previous, u);
     if (following < 0 || following == v) break;
     previous = u;
     u = following;
@@ -73,7 +73,7 @@ void walk_along_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, Remes
   for (int step = 0; step < MAXIMUM_CURVE_STEPS && way < reach; ++step) {
     way += length(mesh.position(u) - mesh.position(previous));
     if (!function(previous, u, way)) return;
-    const Index following = next_along_curve(mesh, previous, u);
+    const Index following = next_curve_vertex(mesh, previous, u);
     if (following < 0 || following == v) return;
     previous = u;
     u = following;
