@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -34,29 +35,6 @@ inline Remeshing_mesh::Index next_curve_vertex(const Remeshing_mesh& mesh, Remes
   return edges == 2 ? following : Remeshing_mesh::Index(-1);
 }
 
-// The way from v over its curve neighbor u to the first vertex that does not lie where v does.
-struct Curve_arm
-{
-  Vector3 direction;
-  bool passes_corner = false;    // whether one of the vertices that lie where v does is one
-};
-
-inline Curve_arm curve_arm(const Remeshing_mesh& mesh, const std::vector<char>& is_corner, Remeshing_mesh::Index v,
-                           Remeshing_mesh::Index u)
-{
-  Curve_arm arm;
-  Remeshing_mesh::Index previous = v;
-  for (int step = 0; step < MAXIMUM_CURVE_STEPS && mesh.position(u) == mesh.position(v); ++step) {
-    arm.passes_corner = arm.passes_corner || is_corner[u];
-    const Remeshing_mesh::Index following = next_curve_vertex(mesh, previous, u);
-    if (following < 0 || following == v) break;
-    previous = u;
-    u = following;
-  }
-  arm.direction = mesh.position(u) - mesh.position(v);
-  return arm;
-}
-
 // How far a curve is followed from a vertex to see whether it turns there at the scale of the result, how near, along a
 // curve, a sharper turn may take the place of another one, and by how much the curve may leave that one out; in target lengths.
 constexpr double CORNER_ARM = 0.5, CORNER_DISTANCE = 0.35, CORNER_TOLERANCE = 0.1;
@@ -78,6 +56,26 @@ void walk_along_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, Remes
     previous = u;
     u = following;
   }
+}
+
+// The way from v over its curve neighbor u to the first vertex that does not lie where v does.
+struct Curve_arm
+{
+  Vector3 direction;
+  bool passes_corner = false;    // whether one of the vertices that lie where v does is one
+};
+
+inline Curve_arm curve_arm(const Remeshing_mesh& mesh, const std::vector<char>& is_corner, Remeshing_mesh::Index v,
+                           Remeshing_mesh::Index u)
+{
+  Curve_arm arm;
+  walk_along_curve(mesh, v, u, std::numeric_limits<double>::infinity(), [&](Remeshing_mesh::Index, Remeshing_mesh::Index b, double) {
+    arm.direction = mesh.position(b) - mesh.position(v);
+    if (arm.direction != Vector3()) return false;
+    arm.passes_corner = arm.passes_corner || is_corner[b];
+    return true;
+  });
+  return arm;
 }
 
 // The way from v, in a straight line, to where its curve over u has come after `reach`, or to its end before.
