@@ -220,6 +220,18 @@ public:
     return true;
   }
 
+  // Whether `predicate(c, d)` holds for every face a c d around the source a of h but those of the edge of h: when a is merged into
+  // the target b of h, which may be a border side, each becomes b c d. Stops at the first one for which it does not hold.
+  template <class Predicate>
+  bool all_faces_of_collapse(Index h, const Predicate& predicate) const
+  {
+    const Index b = source(opposite(h));
+    return all_around(source(h), [&](Index k) {
+      const Index c = target(k), d = apex(k);
+      return c == b || d == b || predicate(c, d);
+    });
+  }
+
   // Calls `function(u)` for each neighbor u of v, counterclockwise.
   template <class Function>
   void for_each_neighbor(Index v, const Function& function) const

@@ -195,11 +195,8 @@ private:
   // Whether every face that moves with the source of h still looks to the side that it did. One without an area looks nowhere.
   bool turns_no_face(Index h) const
   {
-    const Index a = mesh_.source(h), b = mesh_.source(mesh_.opposite(h));
-    const Vector3 &p = mesh_.position(a), &q = mesh_.position(b);
-    return mesh_.all_around(a, [&](Index k) {
-      const Index c = mesh_.target(k), d = mesh_.apex(k);
-      if (c == b || d == b) return true;
+    const Vector3 &p = mesh_.position(mesh_.source(h)), &q = mesh_.position(mesh_.source(mesh_.opposite(h)));
+    return mesh_.all_faces_of_collapse(h, [&](Index c, Index d) {
       const Vector3 &r = mesh_.position(c), &s = mesh_.position(d);
       const Vector3 before = triangle_cross(p, r, s);
       return dot(before, triangle_cross(q, r, s)) > 0 || is_degenerate(before, p, r, s);

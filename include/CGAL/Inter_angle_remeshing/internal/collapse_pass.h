@@ -82,9 +82,7 @@ inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h,
   const double part = grading.field_part(a), squared_tolerance = part * part * limits.squared_tolerance;
   if (!has_short_edges_after_collapse(mesh, h, grading, limits)) return false;
   bool is_near = mesh.is_on_curve(a);     // what a curve may lose, keeps_curve() says
-  const bool turns_no_face = mesh.all_around(a, [&](Index k) {
-    const Index c = mesh.target(k), d = mesh.apex(k);
-    if (c == b || d == b) return true;
+  const bool turns_no_face = mesh.all_faces_of_collapse(h, [&](Index c, Index d) {
     const Vector3 &r = mesh.position(c), &s = mesh.position(d);
     const Vector3 before = triangle_cross(p, r, s), after = triangle_cross(q, r, s);
     const bool is_turned = is_degenerate(before, p, r, s)
@@ -142,12 +140,10 @@ inline bool keeps_faces_at_curves(const Remeshing_mesh& mesh, Remeshing_mesh::In
 // Whether no face turns by more than 26 degrees when the source of h is merged into its target.
 inline bool turns_little(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
-  const Remeshing_mesh::Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
-  return mesh.all_around(a, [&](Remeshing_mesh::Index k) {
-    const Remeshing_mesh::Index c = mesh.target(k), d = mesh.apex(k);
-    return c == b || d == b ||
-           is_cosine_at_least(triangle_cross(mesh.position(a), mesh.position(c), mesh.position(d)),
-                              triangle_cross(mesh.position(b), mesh.position(c), mesh.position(d)), LITTLE_TURN_COSINE);
+  const Vector3 &p = mesh.position(mesh.source(h)), &q = mesh.position(mesh.source(mesh.opposite(h)));
+  return mesh.all_faces_of_collapse(h, [&](Remeshing_mesh::Index c, Remeshing_mesh::Index d) {
+    const Vector3 &r = mesh.position(c), &s = mesh.position(d);
+    return is_cosine_at_least(triangle_cross(p, r, s), triangle_cross(q, r, s), LITTLE_TURN_COSINE);
   });
 }
 
@@ -158,10 +154,8 @@ inline bool makes_fold(const Remeshing_context& context, Remeshing_mesh::Index h
   const Remeshing_mesh& mesh = context.mesh;
   const Remeshing_mesh::Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
   if (turns_little(mesh, h)) return false;
-  const bool is_fold_free = mesh.all_around(a, [&](Remeshing_mesh::Index k) {
-    const Remeshing_mesh::Index c = mesh.target(k), d = mesh.apex(k);
-    return c == b || d == b || !context.is_turned_over(b, c, d);
-  });
+  const bool is_fold_free = mesh.all_faces_of_collapse(h, [&](Remeshing_mesh::Index c, Remeshing_mesh::Index d) {
+    return !context.is_turned_over(b, c, d); });
   return !is_fold_free && mesh.all_around(a, [&](Remeshing_mesh::Index k) {
     return !context.is_turned_over(a, mesh.target(k), mesh.apex(k));
   });
