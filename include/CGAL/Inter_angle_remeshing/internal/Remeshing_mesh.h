@@ -79,6 +79,15 @@ public:
   std::size_t number_of_live_vertices() const { return position_.size() - free_vertices_.size(); }
   std::size_t number_of_live_faces() const { return number_of_face_slots() - free_faces_.size(); }
   bool is_vertex(Index v) const { return first_[v] >= 0; }
+  // Calls `function(v)` for vertices evenly spread over the slots: as many as the samples, fewer where slots are free.
+  template <class Function>
+  void for_each_sample_vertex(Index samples, const Function& function) const
+  {
+    for (Index i = 0; i < samples; ++i) {
+      const Index v = Index(std::int64_t(number_of_vertex_slots()) * (2 * i + 1) / (2 * samples));
+      if (is_vertex(v)) function(v);
+    }
+  }
 
   const Vector3& position(Index v) const { return position_[v]; }
   Vector3& position(Index v) { return position_[v]; }

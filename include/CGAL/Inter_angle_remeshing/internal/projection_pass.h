@@ -12,7 +12,6 @@
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 // The way onto a surface that is not where the mesh is, as a projector of the user's may say. All vertices go together: one alone, by more
@@ -31,13 +30,12 @@ inline bool is_surface_far(const Remeshing_context& context)
   const Remeshing_mesh& mesh = context.mesh;
   if (!context.projector.may_be_elsewhere) return false;
   int vertices = 0, far_ones = 0;
-  for (Index i = 0; i < SAMPLES; ++i) {
-    const Index v = Index(std::int64_t(mesh.number_of_vertex_slots()) * (2 * i + 1) / (2 * SAMPLES));
-    if (!mesh.is_vertex(v) || !mesh.is_free(v)) continue;
+  mesh.for_each_sample_vertex(SAMPLES, [&](Index v) {
+    if (!mesh.is_free(v)) return;
     Index hint = mesh.hint(v);
     ++vertices;
     far_ones += squared_distance(context.projector(mesh.position(v), hint), mesh.position(v)) > CGAL::square(context.length_at(v));
-  }
+  });
   return TENTH * far_ones > vertices;
 }
 

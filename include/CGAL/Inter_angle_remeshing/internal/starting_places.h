@@ -8,7 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/cross_products.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
 
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 // Where on the surface a run begins to look for each vertex.
@@ -25,14 +25,12 @@ inline bool looks_to_other_side(const Remeshing_mesh& mesh, const Reference_surf
   constexpr Index FEW = 4, MANY = 64;
   const auto sum_of_sides = [&](Index samples, const auto& locate) {
     int sum = 0;
-    for (Index i = 0; i < samples; ++i) {
-      const Index v = Index(std::int64_t(mesh.number_of_vertex_slots()) * (2 * i + 1) / (2 * samples));
-      if (!mesh.is_vertex(v)) continue;
+    mesh.for_each_sample_vertex(samples, [&](Index v) {
       Index f = 0;
       locate(factor * mesh.position(v), f);
       const double side = dot(surface.cross_product(f), star_cross_product(mesh, v));
       sum += side > 0 ? 1 : side < 0 ? -1 : 0;
-    }
+    });
     return sum;
   };
   const int few = sum_of_sides(FEW, [&](const Vector3& q, Index& f) { surface.locate_by_scan(q, f, Vector3()); });
