@@ -131,6 +131,22 @@ inline bool has_details_smaller_than(double target, const Input_curves& curves, 
   return target > SMALL * mean_length && curves.have_last_edges_under(SMALL * target);
 }
 
+// What the parameters permit the passes to do. Where vertices are kept, nothing is split or collapsed.
+template <class TriangleMesh, class Parameters>
+void set_rules(Remeshing_context& context, const Parameters& parameters, const Input_kind& kind,
+               const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& input_vertices)
+{
+  const auto rule = [&](const auto& policy, bool is_never) {
+    return is_never ? Edge_rule(false) : make_edge_rule(policy, input_vertices, boost::graph_traits<TriangleMesh>::null_vertex());
+  };
+  context.split_rule = rule(split_policy(parameters, kind), context.keeps_vertices);
+  context.collapse_rule = rule(parameters.collapse_policy, context.keeps_vertices);
+  context.flip_rule = rule(parameters.flip_policy, false);
+  context.may_collapse_constraints = parameters.may_collapse_constraints;
+  context.may_subdivide = parameters.may_subdivide;
+  context.release_distance = release_distance(parameters, kind);
+}
+
 // What there is to report when nothing has been done yet.
 template <class ConcurrencyTag>
 Remeshing_report untouched_report(const Remeshing_mesh& mesh, double target)
@@ -189,10 +205,6 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   const bool has_small_details = !keeps_vertices && wanted.sizing.is_uniform() &&
     (kind.is_cad || (!parameters.constraint_settings.protect && has_details_smaller_than(target, curves, mean_length)));
 
-  const auto rule = [&](const auto& policy, bool is_never = false) {
-    return is_never ? Edge_rule(false)
-                    : make_edge_rule(policy, exchange.input_vertices(), boost::graph_traits<TriangleMesh>::null_vertex());
-  };
   Attribute_exchange attributes(parameters.visitor, exchange, tmesh, mesh);
   bool is_to_be_written = true;
   Remeshing_report report = run_with_projector(parameters, exchange, mesh, kind, curves, wanted,
@@ -200,13 +212,8 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
     std::optional<Input_locator> locator;
     if (wanted.sizing.needs_places() || attributes.are_carried()) locator.emplace(projector, mesh);
     Remeshing_context context(mesh, parameters.recipe, curves, wanted.sizing, projector, parameters.visitor, target);
-    context.split_rule = rule(split_policy(parameters, kind), keeps_vertices);
-    context.collapse_rule = rule(parameters.collapse_policy, keeps_vertices);
-    context.flip_rule = rule(parameters.flip_policy);
     context.keeps_vertices = keeps_vertices;
-    context.may_collapse_constraints = parameters.may_collapse_constraints;
-    context.may_subdivide = parameters.may_subdivide;
-    context.release_distance = release_distance(parameters, kind);
+    set_rules<TriangleMesh>(context, parameters, kind, exchange.input_vertices());
     context.grading_rate = has_small_details ? parameters.recipe.grading : 0.;
     context.noise = noise(kind, mean_length, target);
     if (locator) context.locator = &*locator;
