@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Feature_detector.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/cross_products.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -107,11 +108,7 @@ private:
 
   static bool is_large(const Remeshing_mesh& part, double target_length)
   {
-    double area = 0;
-    for (Index f = 0; f < Index(part.number_of_face_slots()); ++f) {
-      area += length(part.cross_product(f)) / 2;
-    }
-    return area >= LEAST_AREA * target_length * target_length;
+    return area(part) >= LEAST_AREA * target_length * target_length;
   }
 
   const Remeshing_mesh& mesh_;
