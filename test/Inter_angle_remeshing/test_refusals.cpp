@@ -120,6 +120,9 @@ void faces_that_are_no_triangles_are_refused()
   for(const auto f : faces(g))
     (is_triangle(f, g) ? range : others).push_back(f);
   CHECK(others.size() == 1);
+  // a face is named by its place in the range, whatever the range lists twice before
+  const std::vector<typename boost::graph_traits<Graph>::face_descriptor> repeated{range[0], range[0], range[1], others[0]};
+  check_refused(g, "face number 3 of the range is not a triangle", [&](Graph& m) { IAR::isotropic_remeshing(repeated, .1, m); });
   IAR::isotropic_remeshing(range, .1, g);
   CHECK(CGAL::is_valid_polygon_mesh(g));
   CHECK(CGAL::halfedges_around_face(halfedge(others[0], g), g).size() == 4);

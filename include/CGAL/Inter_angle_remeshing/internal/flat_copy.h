@@ -125,10 +125,18 @@ private:
   {
     Face_numbers number(copy_.faces.size());
     std::size_t n = 0;
-    for (const auto& f : copy_.faces)
-      if (number.insert(f, Index(n)).second) copy_.faces[n++] = f;
+    for (std::size_t i = 0; i < copy_.faces.size(); ++i)
+      if (number.insert(copy_.faces[i], Index(n)).second) copy_.faces[n++] = copy_.faces[i];
+      else repeated_.push_back(i);
     copy_.faces.resize(n);
     return number;
+  }
+
+  // "face number i of the range", as the user counts.
+  std::string name_of_face(std::size_t i) const
+  {
+    for (const std::size_t repeated : repeated_) i += repeated <= i;
+    return "face number " + std::to_string(i) + " of the range";
   }
 
   // Where a descriptor does not tell its mesh, and the range is a good part of it, the mesh is gone through.
@@ -144,8 +152,7 @@ private:
     for (std::size_t i = 0; i < copy_.faces.size(); ++i) {
       const halfedge_descriptor h = halfedge(copy_.faces[i], tmesh_);
       if (next(next(next(h, tmesh_), tmesh_), tmesh_) != h)
-        refuse(caller_, "face number " + std::to_string(i) + " of the range is not a triangle; "
-                        "see CGAL::Polygon_mesh_processing::triangulate_faces()");
+        refuse(caller_, name_of_face(i) + " is not a triangle; see CGAL::Polygon_mesh_processing::triangulate_faces()");
     }
   }
 
@@ -170,7 +177,7 @@ private:
     const halfedge_descriptor o = opposite(copy_.halfedge(h), tmesh_);
     const auto f = face(o, tmesh_);
     const Index g = f == Traits::null_face() ? -1 : number.find(f);
-    if (g == h >> 2) refuse(caller_, "two edges of face number " + std::to_string(g) + " of the range are one");
+    if (g == h >> 2) refuse(caller_, "two edges of " + name_of_face(std::size_t(g)) + " are one");
     if (g < 0) { copy_.mesh.glue(h, ~h); return; }
     for (int k = 0; k < 3; ++k)
       if (copy_.halfedges[3 * g + k] == o) copy_.mesh.glue(h, 4 * g + k);
@@ -297,6 +304,7 @@ private:
   VertexPointMap vpm_;
   const char* caller_;
   Flat_copy<TriangleMesh> copy_;
+  std::vector<std::size_t> repeated_;  // places in the range of faces that it has listed before
   std::vector<Index> doubtful_fans_;   // of which the user's vertex may have another one
 };
 
