@@ -117,4 +117,8 @@ void wrong(Mesh& mesh, const Mesh& const_mesh, std::vector<int>& numbers)
 #if HAS_CASE(20)  // expect: what follows the mesh must be named parameters
   IAR::isotropic_remeshing(faces(mesh), .1, mesh, IAR::Recipe());
 #endif
+#if HAS_CASE(21)  // expect: what follows the mesh must be named parameters
+  const unsigned iterations = 5;
+  IAR::isotropic_remeshing(.1, mesh, iterations);
+#endif
 }

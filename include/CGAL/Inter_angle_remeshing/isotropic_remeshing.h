@@ -217,7 +217,8 @@ number of faces of the range and of the result, per iteration; at vertices with 
 template <class ConcurrencyTag = CGAL::Sequential_tag, class FaceRange, class Length, class TriangleMesh,
           typename CGAL_NP_TEMPLATE_PARAMETERS
 #ifndef DOXYGEN_RUNNING
-          , std::enable_if_t<!internal::Is_named_parameters<TriangleMesh>::value, int> = 0
+          , std::enable_if_t<!internal::Is_named_parameters<TriangleMesh>::value &&
+                             !internal::Is_mutable_face_graph<Length>::value, int> = 0
 #endif
           >
 Remeshing_report isotropic_remeshing(const FaceRange& faces, const Length& length, TriangleMesh& tmesh,
@@ -244,13 +245,19 @@ Remeshing_report isotropic_remeshing(const Length& length, TriangleMesh& tmesh,
 }
 
 #ifndef DOXYGEN_RUNNING
-// What else may stand in the place of the named parameters: nothing.
+// What else may stand in the place of the named parameters: nothing, with a range or without one.
 template <class ConcurrencyTag = CGAL::Sequential_tag, class FaceRange, class Length, class TriangleMesh, class Other,
           std::enable_if_t<!internal::Is_named_parameters<TriangleMesh>::value && !internal::Is_named_parameters<Other>::value, int> = 0>
 Remeshing_report isotropic_remeshing(const FaceRange&, const Length&, TriangleMesh&, const Other&)
 {
-  static_assert(internal::Is_named_parameters<Other>::value, "isotropic_remeshing(): what follows the mesh must be named parameters, such "
-                "as CGAL::parameters::number_of_iterations(5), or those of CGAL::Inter_angle_remeshing::recipe(recipe).");
+  (void)internal::Parameters_check<Other>::IS_PASSED;
+  return {};
+}
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Length, class TriangleMesh, class Other,
+          std::enable_if_t<internal::Is_mutable_face_graph<TriangleMesh>::value && !internal::Is_named_parameters<Other>::value, int> = 0>
+Remeshing_report isotropic_remeshing(const Length&, TriangleMesh&, const Other&)
+{
+  (void)internal::Parameters_check<Other>::IS_PASSED;
   return {};
 }
 #endif

@@ -58,6 +58,15 @@ struct Mesh_check
                            "hand over the mesh and the faces of the part: isotropic_remeshing(faces(part), length, mesh).");
 };
 
+// What stands in the place of the named parameters.
+template <class Other>
+struct Parameters_check
+{
+  static constexpr bool IS_PASSED = Is_named_parameters<Other>::value;
+  static_assert(IS_PASSED, "isotropic_remeshing(): what follows the mesh must be named parameters, such as "
+                           "CGAL::parameters::number_of_iterations(5), or those of CGAL::Inter_angle_remeshing::recipe(recipe).");
+};
+
 template <class Range, class Value, class = void>
 struct Is_range_of : std::false_type {};
 template <class Range, class Value>
