@@ -52,10 +52,10 @@ struct Face_membership
   static constexpr bool IS_TOLD = false;
   static bool is_face(const Graph&, const Face& f) { return f != boost::graph_traits<Graph>::null_face(); }
 };
-// CGAL::Surface_mesh.
+// CGAL::Surface_mesh. (Two specializations by std::void_t are one to some compilers.)
 template <class Graph>
-struct Face_membership<Graph, std::void_t<decltype(std::declval<const Graph&>().has_valid_index(
-                                typename boost::graph_traits<Graph>::face_descriptor()))>>
+struct Face_membership<Graph, decltype(std::declval<const Graph&>().has_valid_index(
+                                typename boost::graph_traits<Graph>::face_descriptor()), void())>
 {
   using Face = typename boost::graph_traits<Graph>::face_descriptor;
   static constexpr bool IS_TOLD = true;
@@ -63,8 +63,8 @@ struct Face_membership<Graph, std::void_t<decltype(std::declval<const Graph&>().
 };
 // OpenMesh's kernels.
 template <class Graph>
-struct Face_membership<Graph, std::void_t<decltype(std::declval<const Graph&>().is_valid_handle(
-                                typename boost::graph_traits<Graph>::face_descriptor()))>>
+struct Face_membership<Graph, decltype(std::declval<const Graph&>().is_valid_handle(
+                                typename boost::graph_traits<Graph>::face_descriptor()), void())>
 {
   using Face = typename boost::graph_traits<Graph>::face_descriptor;
   static constexpr bool IS_TOLD = true;
