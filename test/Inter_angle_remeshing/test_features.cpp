@@ -1162,6 +1162,27 @@ void thin_plates_do_not_become_flat()
     }
 }
 
+// The sides of a plate are strips whose ends are corners. Where nothing else was to be split, they had stayed as they were, with angles of
+// 6 and 11 degrees.
+void plates_and_bars_have_good_angles_at_long_targets()
+{
+  for(const auto& [width, height, lengths] : {std::make_tuple(1., .2, std::vector<double>{.75, .78, 1., 1.5}),
+                                              std::make_tuple(1., .1, std::vector<double>{.45, .6, .8}),
+                                              std::make_tuple(.2, .2, std::vector<double>{.7, .9})})
+    for(const double length : lengths)
+    {
+      Mesh box = meshes::to_mesh<Mesh>(meshes::cube(1));
+      for(const Vertex v : box.vertices())
+        box.point(v) = Point(box.point(v).x(), width * box.point(v).y(), height * box.point(v).z());
+      const double volume = PMP::volume(box);
+      Mesh m = box;
+      const auto report = IAR::isotropic_remeshing(length, m);
+      CHECK_MESSAGE(report.angles_after.minimum > 30 && report.angles_after.maximum < 105,
+                    width << " " << height << " " << length << ": " << report.angles_after.minimum << " to " << report.angles_after.maximum);
+      CHECK(topology(m) == topology(box) && std::abs(PMP::volume(m) - volume) < 1e-9 * volume);
+    }
+}
+
 // Where the target length is long beside the cross section of a part, what is tiny beside it is the part itself: merged, it would cross
 // itself.
 void merging_makes_nothing_cross()
@@ -2284,6 +2305,7 @@ int main()
   grading_mends_small_details();
   tiny_chamfers_are_merged();
   thin_plates_do_not_become_flat();
+  plates_and_bars_have_good_angles_at_long_targets();
   merging_makes_nothing_cross();
   attributes_of_merged_chamfers_are_found();
   chamfers_stay_where_the_user_says_so();

@@ -32,6 +32,25 @@ constexpr double STRIP_ASPECT = 2, SHORTEST_IN_STRIP = 0.2, THINNEST_STRIP = 0.0
 // Two curves that meet at less than 30 degrees: the cosine.
 constexpr double ACUTE_CORNER_COSINE = 0.866025403784439;
 
+// How wide the strip is of which the face of h is part, between the curve of h and another one; infinite where it is part of none. At the
+// end of a strip a face has two edges on curves, and the face beside it has one on the other side of the strip.
+inline double width_of_strip(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  using Index = Remeshing_mesh::Index;
+  constexpr double NONE = std::numeric_limits<double>::infinity();
+  const Vector3 &a = mesh.position(mesh.origin(h)), &b = mesh.position(mesh.target(h));
+  const double l = length(b - a);
+  if (!(l > 0) || !mesh.is_on_curve(mesh.apex(h))) return NONE;
+  const auto height = [&](Index v) { return length(triangle_cross(a, b, mesh.position(v))) / l; };
+  const Index next = mesh.next(h), prev = mesh.prev(h);
+  const bool ends_at_target = mesh.is_on_curve_edge(next), ends_at_origin = mesh.is_on_curve_edge(prev);
+  if (!ends_at_target && !ends_at_origin) return height(mesh.apex(h));
+  if (ends_at_target && ends_at_origin) return NONE;
+  const Index across = mesh.opposite(ends_at_target ? prev : next);
+  if (!mesh.is_on_curve_edge(ends_at_target ? mesh.next(across) : mesh.prev(across))) return NONE;
+  return (std::max)(height(mesh.apex(h)), height(mesh.apex(across)));
+}
+
 // The target length of a curve edge.
 inline double target_on_curve(const Remeshing_context& context, Remeshing_mesh::Index h)
 {
@@ -39,16 +58,21 @@ inline double target_on_curve(const Remeshing_context& context, Remeshing_mesh::
   const double wanted = context.length_at(mesh.origin(h), mesh.target(h));
   double target = wanted;
   for (const Remeshing_mesh::Index side : {h, mesh.opposite(h)}) {
-    if (side < 0 || !mesh.is_on_curve(mesh.apex(side)) || mesh.is_on_curve_edge(mesh.next(side)) ||
-        mesh.is_on_curve_edge(mesh.prev(side))) continue;
-    const Vector3 &a = mesh.position(mesh.origin(side)), &b = mesh.position(mesh.target(side));
-    const double l = length(b - a);
-    if (!(l > 0)) continue;
-    const double height = length(triangle_cross(a, b, mesh.position(mesh.apex(side)))) / l;
-    if (height < THINNEST_STRIP * wanted) continue;
-    target = (std::min)(target, (std::max)(STRIP_ASPECT * height, SHORTEST_IN_STRIP * wanted));
+    if (side < 0) continue;
+    const double width = width_of_strip(mesh, side);
+    if (width < THINNEST_STRIP * wanted) continue;
+    target = (std::min)(target, (std::max)(STRIP_ASPECT * width, SHORTEST_IN_STRIP * wanted));
   }
   return target;
+}
+
+inline bool is_at_end_of_strip(const Remeshing_context& context, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh& mesh = context.mesh;
+  for (const Remeshing_mesh::Index side : {h, mesh.opposite(h)})
+    if (side >= 0 && (mesh.is_on_curve_edge(mesh.next(side)) || mesh.is_on_curve_edge(mesh.prev(side))) &&
+        STRIP_ASPECT * width_of_strip(mesh, side) < context.length_at(mesh.origin(h), mesh.target(h))) return true;
+  return false;
 }
 
 // Whether a face beside the edge of h has another edge on a curve, and an acute angle between the two, which no remesher can change. The

@@ -171,8 +171,11 @@ std::size_t split_pass(Remeshing_context& context, std::vector<Remeshing_mesh::I
     return mesh.has_place(h) ? is_too_long_on_curve(context, h)
                              : mesh.squared_edge_length(h) > context.squared_length_limit(mesh.origin(h), mesh.target(h));
   };
-  const std::vector<Index> curve_edges = long_curve_edges<ConcurrencyTag>(context);
-  long_edges.insert(long_edges.end(), curve_edges.begin(), curve_edges.end());
+  // Those at the ends of strips before what leads across: what lies between the halves of that is no strip any more.
+  std::vector<Index> curve_edges = long_curve_edges<ConcurrencyTag>(context);
+  const auto others = std::stable_partition(curve_edges.begin(), curve_edges.end(), [&](Index h) { return is_at_end_of_strip(context, h); });
+  long_edges.insert(long_edges.end(), others, curve_edges.end());
+  long_edges.insert(long_edges.begin(), curve_edges.begin(), others);
 
   // Of needles: how long a part is split at once, and an edge beside it, in target lengths.
   constexpr double LONG_PART = 2, LONG_NEIGHBOR = 4;
