@@ -374,6 +374,18 @@ Soup cylinder_wall(std::size_t n, std::size_t m, double height)
   return soup;
 }
 
+// The same, its first and last ring of so many points closed by a plane each.
+Soup closed(Soup wall, std::size_t sides)
+{
+  const std::size_t last = wall.points.size() - sides;
+  for(std::size_t i = 1; i + 1 < sides; ++i)
+  {
+    wall.faces.push_back({0, i + 1, i});
+    wall.faces.push_back({last, last + i, last + i + 1});
+  }
+  return wall;
+}
+
 // A quarter of a turn of a coil of radius 4, whose section is a polygon of so many sides and radius 0.1, in so many long steps, closed by
 // two planes.
 Mesh bent_hose(std::size_t sides, std::size_t steps)
@@ -384,13 +396,56 @@ Mesh bent_hose(std::size_t sides, std::size_t steps)
     const double r = 4 + .1 * p[0], angle = p[2];
     p = {r * std::cos(angle), r * std::sin(angle), 2 * angle - .1 * p[1]};
   }
-  for(std::size_t i = 1; i + 1 < sides; ++i)
+  return meshes::to_mesh<Mesh>(closed(std::move(soup), sides));
+}
+
+// Where a drill enters and leaves an animal, each rim is one ring.
+void rims_of_drilled_holes_are_features()
+{
+  for(const auto& [name, radius] : {std::make_pair("bear", .04), std::make_pair("dino", .03), std::make_pair("homer", .04), std::make_pair("bunny00", .06)})
   {
-    const std::size_t last = steps * sides;
-    soup.faces.push_back({0, i + 1, i});
-    soup.faces.push_back({last, last + i, last + i + 1});
+    const Mesh animal = models::of_cgal(name);
+    const CGAL::Bbox_3 box = PMP::bbox(animal);
+    const double size = std::max({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+    Mesh drill = meshes::to_mesh<Mesh>(closed(cylinder_wall(48, 1, 4), 48));
+    for(const Vertex v : drill.vertices())
+    {
+      const Point& p = drill.point(v);
+      drill.point(v) = Point((box.xmin() + box.xmax()) / 2 + radius * size * p.x(), (box.ymin() + box.ymax()) / 2 + radius * size * p.y(),
+                             (box.zmin() + box.zmax()) / 2 + size * (p.z() - 2));
+    }
+    const Mesh m = models::difference(animal, drill);
+    const auto is_drilled = [&](Face f) {
+      const auto h = m.halfedge(f);
+      const Vector n = CGAL::normal(m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h))));
+      const Point c = CGAL::centroid(m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h))));
+      const double d = std::hypot(c.x() - (box.xmin() + box.xmax()) / 2, c.y() - (box.ymin() + box.ymax()) / 2);
+      return std::abs(d - radius * size) < .02 * radius * size && std::abs(n.z()) < 1e-6 * std::sqrt(n.squared_length());
+    };
+    const double length = mean_edge_length(m);
+    for(const double target : {length, 2 * length})
+    {
+      const std::set<Edge> found = found_features(m, target);
+      double rim = 0, marked = 0;
+      std::vector<Point> on_rim;
+      for(const Edge e : m.edges())
+        if(is_drilled(m.face(m.halfedge(e))) != is_drilled(m.face(m.opposite(m.halfedge(e)))))
+        {
+          rim += edge_length(e, m);
+          marked += found.count(e) > 0 ? edge_length(e, m) : 0;
+          on_rim.push_back(CGAL::midpoint(m.point(m.vertex(e, 0)), m.point(m.vertex(e, 1))));
+        }
+      CHECK_MESSAGE(rim > 3 * target && marked == rim, name << ", " << target / length << ": " << marked / rim);
+      Mesh remeshed = m;
+      const auto report = IAR::isotropic_remeshing(target, remeshed);
+      CHECK_MESSAGE(report.angles_after.minimum > 30 && report.angles_after.maximum < 105,
+                    name << ": " << report.angles_after.minimum << " to " << report.angles_after.maximum);
+      const double distance = largest_distance(on_rim, remeshed);
+      CHECK_MESSAGE(report.features == Features::outstanding_edges && distance < .05 * target, name << ": " << distance / target);
+    }
+    if(meshes::is_small_run())
+      break;
   }
-  return meshes::to_mesh<Mesh>(soup);
 }
 
 // The ends of a hose are small beside its edges, but not beside those that are wanted: they had become points, a target length short.
@@ -2273,6 +2328,7 @@ int main()
   of_two_sides_of_a_narrow_strip_one_is_a_feature();
   organic_models_have_next_to_none();
   rims_of_cuts_are_features();
+  rims_of_drilled_holes_are_features();
   ends_of_thin_hoses_stay_flat();
   a_fold_is_no_feature();
   folded_slivers_are_no_features();

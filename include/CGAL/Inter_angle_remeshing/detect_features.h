@@ -70,7 +70,9 @@ is the mean edge's; of what is found, features are what passes for `scale`, too,
 Parts that are planar within half a degree, of at least 10 faces and the area of a square of the mean edge of their rim, nothing has that
 has grown: there a model was cut, or given a base. If half of the rim of such a part has 60 degrees and more, all its edges of
 30 degrees and more are features, in components of at least five times `scale`, or the mean edge without one, whatever they meet; but of
-two rims beside a narrow strip only the sharper one.
+two rims beside a narrow strip only the sharper one. Rings are features, too, as around a hole that was drilled: closed curves of edges of
+30 degrees and more, half of their length 45, that meet no other such edge, do not run beside themselves, seldom turn by more than 30 degrees,
+and have at least 12 edges, five mean edge lengths and three times `scale`; but not where there is an edge of rings for every five faces.
 
 Alpha wraps of parts have jagged chamfers instead of sharp edges. No edge of theirs is longer than 3.5 mean edge lengths;
 15% of the edges of 40 degrees and more are rims of chamfers one face wide, of less than 70 degrees; 0.2% turn to and fro, by 15 to

@@ -58,13 +58,11 @@ public:
   {
     if (kind_.has_voxel_stairs()) return {};
     if (kind_.is_cad()) return without_narrow_strips(kind_.sharp_edges(Model_kind::CAD_ANGLE));
-    const std::vector<Index> rims = planar_rims(normals_, kind_.sharp_edges());
+    const std::vector<Index> rims = planar_rims(normals_, kind_.sharp_edges()), rings = sharp_rings();
     Outstanding_edges outstanding(normals_, own_length_, kind_.sharp_edges());
-    if (outstanding.are_none() && rims.empty()) return {};
-    const std::vector<Index> edges = outstanding.find();
-    std::vector<Index> found;
-    std::set_union(edges.begin(), edges.end(), rims.begin(), rims.end(), std::back_inserter(found));
-    const std::vector<Index> certain = long_rims(rims);
+    if (outstanding.are_none() && rims.empty() && rings.empty()) return {};
+    std::vector<Index> found = united(outstanding.find(), united(rims, rings));
+    const std::vector<Index> certain = united(long_rims(rims), rings);
     found = long_chains(found, certain, own_length_);
     return length_ > own_length_ ? long_chains(found, certain, length_) : found;
   }
@@ -105,7 +103,9 @@ public:
 
 private:
   static constexpr double NARROW = 0.05;                // strip, in lengths
-  static constexpr double LEAST_RIM = 5;                // of a planar part, in lengths
+  static constexpr double LEAST_RIM = 5;                // of a planar part, in target lengths
+  // Rings of sharp edges have so many mean edge lengths, and target lengths; there are at most so many of their edges for each face.
+  static constexpr double LEAST_RING = 5, LEAST_HOLE = 3, MOST_RINGS = 0.2;
   // Reliefs are looked for at so many lengths from the target length down, each shorter by this factor: halves leap over the few
   // lengths that are long beside a thread's height and short beside the screw.
   static constexpr int RELIEF_SCALES = 9;
@@ -120,6 +120,26 @@ private:
   {
     const double l = std::sqrt(mesh_.squared_edge_length(h)), least = COARSE * target_length;
     return target_length > 0 && l >= least && normals_.doubled_area(h >> 2) >= least * l;
+  }
+
+  // Both are sorted.
+  static std::vector<Index> united(const std::vector<Index>& a, const std::vector<Index>& b)
+  {
+    std::vector<Index> result;
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
+    return result;
+  }
+
+  // The edges of rings, sorted: sharp all around, they are where two surfaces meet, as where a hole was drilled into what has grown.
+  // Where there are rings everywhere, it is corrugated.
+  std::vector<Index> sharp_rings() const
+  {
+    Feature_graph graph(mesh_, length_);
+    for (const Index h : kind_.sharp_edges()) graph.add(h, normals_.angle(h));
+    graph.keep_rings((std::max)(LEAST_RING * own_length_, LEAST_HOLE * target_length_) / length_);
+    std::vector<Index> edges = graph.edges();
+    if (double(edges.size()) > MOST_RINGS * double(mesh_.number_of_face_slots())) edges.clear();
+    return edges;
   }
 
   // Of these edges, the certain ones, and those that form chains and components that are features at the scale of the length.

@@ -68,6 +68,14 @@ public:
       if (component.size() < least_edges && length_of(component) < least_length * length_) drop(component);
   }
 
+  // Keeps closed curves that meet no other, are sharp, hardly bend, do not run beside themselves, and are no shorter than this.
+  void keep_rings(double least_length)
+  {
+    for (const Chain& chain : chains())
+      if (chain.ends[0] >= 0 || chain.edges.size() < LEAST_EDGES || length_of(chain.edges) < least_length * length_ ||
+          !is_fit(chain.edges) || runs_beside_itself(chain)) drop(chain.edges);
+  }
+
   // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet; those of a part that was
   // remeshed coarsely again and again bend more often. Those of animals and scans are loose, jagged, and a tangle. What leads to a free end
   // is dropped.
