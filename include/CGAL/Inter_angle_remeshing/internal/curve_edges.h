@@ -33,7 +33,7 @@ constexpr double STRIP_ASPECT = 2, SHORTEST_IN_STRIP = 0.2, THINNEST_STRIP = 0.0
 constexpr double ACUTE_CORNER_COSINE = 0.866025403784439;
 
 // How wide the strip is of which the face of h is part, between the curve of h and another one; infinite where it is part of none. At the
-// end of a strip a face has two edges on curves, and the face beside it has one on the other side of the strip.
+// end of a strip a face has two edges on curves, not in an acute corner, and from its apex the curve turns back along the other side.
 inline double width_of_strip(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
   using Index = Remeshing_mesh::Index;
@@ -46,9 +46,13 @@ inline double width_of_strip(const Remeshing_mesh& mesh, Remeshing_mesh::Index h
   const bool ends_at_target = mesh.is_on_curve_edge(next), ends_at_origin = mesh.is_on_curve_edge(prev);
   if (!ends_at_target && !ends_at_origin) return height(mesh.apex(h));
   if (ends_at_target && ends_at_origin) return NONE;
-  const Index across = mesh.opposite(ends_at_target ? prev : next);
-  if (!mesh.is_on_curve_edge(ends_at_target ? mesh.next(across) : mesh.prev(across))) return NONE;
-  return (std::max)(height(mesh.apex(h)), height(mesh.apex(across)));
+  const Vector3& c = mesh.position(mesh.apex(h));
+  if (corner_cosine(ends_at_target ? b : a, ends_at_target ? a : b, c) > ACUTE_CORNER_COSINE) return NONE;
+  Index k = ends_at_target ? prev : next;
+  do k = ends_at_target ? mesh.next(mesh.opposite(k)) : mesh.prev(mesh.opposite(k));
+  while (!mesh.is_on_curve_edge(k));
+  const Index beyond = ends_at_target ? mesh.target(k) : mesh.origin(k);
+  return beyond == (ends_at_target ? mesh.target(h) : mesh.origin(h)) ? NONE : (std::max)(height(mesh.apex(h)), height(beyond));
 }
 
 // The target length of a curve edge.
