@@ -402,16 +402,18 @@ Mesh bent_hose(std::size_t sides, std::size_t steps)
 // Where a drill enters and leaves an animal, each rim is one ring.
 void rims_of_drilled_holes_are_features()
 {
-  for(const auto& [name, radius] : {std::make_pair("bear", .04), std::make_pair("dino", .03), std::make_pair("homer", .04), std::make_pair("bunny00", .06)})
+  for(const auto& [name, part] : {std::make_pair("bear", .04), std::make_pair("dino", .03), std::make_pair("homer", .04),
+                                  std::make_pair("bunny00", .06)})
   {
     const Mesh animal = models::of_cgal(name);
     const CGAL::Bbox_3 box = PMP::bbox(animal);
     const double size = std::max({box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()});
+    const double radius = part * size;
     Mesh drill = meshes::to_mesh<Mesh>(closed(cylinder_wall(48, 1, 4), 48));
     for(const Vertex v : drill.vertices())
     {
       const Point& p = drill.point(v);
-      drill.point(v) = Point((box.xmin() + box.xmax()) / 2 + radius * size * p.x(), (box.ymin() + box.ymax()) / 2 + radius * size * p.y(),
+      drill.point(v) = Point((box.xmin() + box.xmax()) / 2 + radius * p.x(), (box.ymin() + box.ymax()) / 2 + radius * p.y(),
                              (box.zmin() + box.zmax()) / 2 + size * (p.z() - 2));
     }
     const Mesh m = models::difference(animal, drill);
@@ -420,7 +422,7 @@ void rims_of_drilled_holes_are_features()
       const Vector n = CGAL::normal(m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h))));
       const Point c = CGAL::centroid(m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h))));
       const double d = std::hypot(c.x() - (box.xmin() + box.xmax()) / 2, c.y() - (box.ymin() + box.ymax()) / 2);
-      return std::abs(d - radius * size) < .02 * radius * size && std::abs(n.z()) < 1e-6 * std::sqrt(n.squared_length());
+      return std::abs(d - radius) < .02 * radius && std::abs(n.z()) < 1e-6 * std::sqrt(n.squared_length());
     };
     const double length = mean_edge_length(m);
     for(const double target : {length, 2 * length})
