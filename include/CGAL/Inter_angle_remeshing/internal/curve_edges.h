@@ -33,7 +33,8 @@ constexpr double STRIP_ASPECT = 2, SHORTEST_IN_STRIP = 0.2, THINNEST_STRIP = 0.0
 constexpr double ACUTE_CORNER_COSINE = 0.866025403784439;
 
 // How wide the strip is of which the face of h is part, between the curve of h and another one; infinite where it is part of none. At the
-// end of a strip a face has two edges on curves, not in an acute corner, and from its apex the curve turns back along the other side.
+// end of a strip a face has two edges on curves, at a corner that is neither acute nor nearly straight, and from its apex the curve turns
+// back along the other side.
 inline double width_of_strip(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
   using Index = Remeshing_mesh::Index;
@@ -47,7 +48,7 @@ inline double width_of_strip(const Remeshing_mesh& mesh, Remeshing_mesh::Index h
   if (!ends_at_target && !ends_at_origin) return height(mesh.apex(h));
   if (ends_at_target && ends_at_origin) return NONE;
   const Vector3& c = mesh.position(mesh.apex(h));
-  if (corner_cosine(ends_at_target ? b : a, ends_at_target ? a : b, c) > ACUTE_CORNER_COSINE) return NONE;
+  if (std::abs(corner_cosine(ends_at_target ? b : a, ends_at_target ? a : b, c)) > ACUTE_CORNER_COSINE) return NONE;
   Index k = ends_at_target ? prev : next;
   do k = ends_at_target ? mesh.next(mesh.opposite(k)) : mesh.prev(mesh.opposite(k));
   while (!mesh.is_on_curve_edge(k));
