@@ -1850,16 +1850,11 @@ void needles_cross_what_they_cross()
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-// What is left of a pass over two short edges of a pentagon, of which the first one belongs to a flat ear on the side of a spike: its
-// collapse makes that side a curve of the faces beyond, which the second one reads.
+// What is left of these faces after a pass over two short edges, given by their ends.
 template <class ConcurrencyTag>
-std::set<std::set<Flat::Index>> faces_after_collapses_beside_an_ear()
+std::set<std::set<Flat::Index>> faces_after_collapses(const Soup& soup, const std::array<std::pair<int, int>, 2>& collapsed)
 {
   namespace internal = IAR::internal;
-  enum { tip, middle, foot, side, ear, top };
-  Soup soup;
-  soup.points = {{0, 0, 0}, {.5, 0, 0}, {1, 0, 0}, {.45, .15, 0}, {.22, .08, 0}, {.8, .5, 0}};
-  soup.faces = {{tip, middle, side}, {tip, side, ear}, {middle, top, side}, {middle, foot, top}};
   Mesh user = to_mesh<Mesh>(soup);
   const auto points = get(CGAL::vertex_point, user);
   internal::Mesh_exchange<Mesh, Point_map_of<Mesh>> exchange(faces(user), user, points, "test");
@@ -1878,7 +1873,9 @@ std::set<std::set<Flat::Index>> faces_after_collapses_beside_an_ear()
     const auto h = mesh.find_halfedge(flat[u], flat[v]);
     return h >= 0 ? h : mesh.find_halfedge(flat[v], flat[u]);
   };
-  std::vector<Flat::Index> short_edges = {edge(ear, tip), edge(middle, foot)};
+  std::vector<Flat::Index> short_edges;
+  for(const auto& [u, v] : collapsed)
+    short_edges.push_back(edge(u, v));
   CHECK(internal::collapse_pass<ConcurrencyTag>(context, short_edges) > 0);
   std::set<std::set<Flat::Index>> result;
   for(Flat::Index g = 0; g < Flat::Index(mesh.number_of_face_slots()); ++g)
@@ -1887,13 +1884,47 @@ std::set<std::set<Flat::Index>> faces_after_collapses_beside_an_ear()
   return result;
 }
 
+void check_collapses_with_threads(const Soup& soup, const std::array<std::pair<int, int>, 2>& collapsed)
+{
+  CHECK(faces_after_collapses<CGAL::Sequential_tag>(soup, collapsed) == faces_after_collapses<CGAL::Parallel_tag>(soup, collapsed));
+}
+
+// Of a pentagon, the first edge belongs to a flat ear on the side of a spike: its collapse makes that side a curve of the faces beyond, which
+// the second one reads.
+void threads_see_a_side_become_a_curve()
+{
+  enum { tip, middle, foot, side, ear, top };
+  Soup soup;
+  soup.points = {{0, 0, 0}, {.5, 0, 0}, {1, 0, 0}, {.45, .15, 0}, {.22, .08, 0}, {.8, .5, 0}};
+  soup.faces = {{tip, middle, side}, {tip, side, ear}, {middle, top, side}, {middle, foot, top}};
+  check_collapses_with_threads(soup, {{{ear, tip}, {middle, foot}}});
+}
+
+// The collapse of the first edge widens the end of a strip. What becomes of the second one depends on that, for its curve goes on there,
+// though no vertex around it has another star.
+void threads_see_a_strip_widen()
+{
+  enum { first, middle, last, end, near_end, beyond, inner, side };
+  Soup soup;
+  soup.faces = {{middle, last, end}, {middle, end, inner}, {end, near_end, inner}, {near_end, beyond, inner}, {middle, inner, side},
+                {middle, side, first}};
+  using Points = decltype(soup.points);
+  for(const Points& points : {Points{{-.24, 0, 0}, {.52, 0, 0}, {1, 0, 0}, {.94, .4, 0}, {.65, .47, 0}, {.36, .54, 0}, {.3, .26, 0}, {-.32, .66, 0}},
+                              Points{{-.18, 0, 0}, {.52, 0, 0}, {1, 0, 0}, {1.02, .36, 0}, {.73, .45, 0}, {.44, .54, 0}, {.3, .26, 0}, {-.04, .58, 0}}})
+  {
+    soup.points = points;
+    check_collapses_with_threads(soup, {{{near_end, beyond}, {first, middle}}});
+  }
+}
+
 void threads_do_not_change_a_bit()
 {
   Mesh sequential = to_mesh<Mesh>(torus(30, 20, .4)), parallel = sequential;
   IAR::isotropic_remeshing<CGAL::Sequential_tag>(.07, sequential);
   IAR::isotropic_remeshing<CGAL::Parallel_tag>(.07, parallel);
   CHECK(Picture<Mesh>(sequential) == Picture<Mesh>(parallel));
-  CHECK(faces_after_collapses_beside_an_ear<CGAL::Sequential_tag>() == faces_after_collapses_beside_an_ear<CGAL::Parallel_tag>());
+  threads_see_a_side_become_a_curve();
+  threads_see_a_strip_widen();
 }
 #endif
 

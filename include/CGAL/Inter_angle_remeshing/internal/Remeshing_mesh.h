@@ -329,13 +329,18 @@ public:
 
   void start_recording_touched() { touched_.assign(number_of_vertex_slots(), 0); }
   void stop_recording_touched() { touched_.clear(); }
-  // Whether an operation since start_recording_touched() changed the star of one of the four vertices around h.
+  // Whether an operation since start_recording_touched() changed what an evaluation of h reads: the stars of the four vertices around it,
+  // and on a curve those of all vertices around its ends, where the strip beside its other edge may end.
   bool is_touched(Index h) const
   {
     if (origin(h) < 0) return true;
     const Index o = opposite(h);
-    return touched_[origin(h)] || touched_[target(h)] || touched_[apex(h)] ||
-           (!is_border(h) && touched_[apex(o)]);
+    if (touched_[origin(h)] || touched_[target(h)] || touched_[apex(h)] || (!is_border(h) && touched_[apex(o)])) return true;
+    bool result = false;
+    if (is_on_curve_edge(h))
+      for (const Index end : {origin(h), target(h)})
+        for_each_neighbor(end, [&](Index v) { result = result || touched_[v] != 0; });
+    return result;
   }
 
 private:

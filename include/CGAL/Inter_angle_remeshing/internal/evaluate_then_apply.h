@@ -20,8 +20,8 @@ constexpr std::size_t EVALUATION_BLOCK = 128;
 
 // Takes candidate half-edges one after the other: `apply(h, evaluate(h))`, as if each was evaluated on the mesh that
 // the ones before it left. `apply` may append to `candidates`. In parallel all are evaluated beforehand, on the mesh
-// as it is, and evaluated anew only where an application changed what the evaluation reads: the stars of the four
-// vertices around the edge. The result is the same.
+// as it is, and evaluated anew only where an application changed what the evaluation reads, see Remeshing_mesh::is_touched(). The result
+// is the same.
 template <class ConcurrencyTag, class Evaluate, class Apply>
 void evaluate_then_apply(Remeshing_mesh& mesh, std::vector<Remeshing_mesh::Index>& candidates,
                          const Evaluate& evaluate, const Apply& apply)
