@@ -49,9 +49,10 @@ inline double width_of_strip(const Remeshing_mesh& mesh, Remeshing_mesh::Index h
   if (ends_at_target && ends_at_origin) return NONE;
   const Vector3& c = mesh.position(mesh.apex(h));
   if (std::abs(corner_cosine(ends_at_target ? b : a, ends_at_target ? a : b, c)) > ACUTE_CORNER_COSINE) return NONE;
-  Index k = ends_at_target ? prev : next;
-  do k = ends_at_target ? mesh.next(mesh.opposite(k)) : mesh.prev(mesh.opposite(k));
-  while (!mesh.is_on_curve_edge(k));
+  const auto next_around_apex = [&](Index k) {
+    return ends_at_target ? mesh.next(mesh.opposite(k)) : mesh.prev(mesh.opposite(k)); };
+  Index k = next_around_apex(ends_at_target ? prev : next);
+  while (!mesh.is_on_curve_edge(k)) k = next_around_apex(k);
   const Index beyond = ends_at_target ? mesh.target(k) : mesh.origin(k);
   return beyond == (ends_at_target ? mesh.target(h) : mesh.origin(h)) ? NONE : (std::max)(height(mesh.apex(h)), height(beyond));
 }
