@@ -41,7 +41,7 @@ class Repair_operations
 
   // Vertices whose edges are looked at: at first those of the face alone.
   static constexpr std::size_t VERTICES_AT_FIRST = 3, VERTICES_LATER = 12;
-  // By how much a flip may raise the sum of the squared valence deviations; where faces cross, by any number.
+  // By how much a flip may raise the sum of the squared valence deviations; where faces cross, and the surface does not, by any number.
   static constexpr int GAIN_AT_FIRST = 4, GAIN_LATER = 8;
   // Squared lengths, in those of the target, up to which edges are collapsed and from which they are split here; much shorter ones where
   // faces cross, and at curves, for thin strips between these.
@@ -67,7 +67,7 @@ public:
     if (is_at_crossing(fault) && context_.projector.has_faces())
       for (const Index v : centres) if (mesh_.is_free(v)) result.push_back({Kind::place, mesh_.first(v)});
     const double shortest_of_all = is_at_crossing(fault) ? SPLIT_AT_CROSSING : SPLIT;
-    const int gain = is_at_crossing(fault) ? (std::numeric_limits<int>::max)() : is_first_round ? GAIN_AT_FIRST : GAIN_LATER;
+    const int gain = fault == Fault::crossing ? (std::numeric_limits<int>::max)() : is_first_round ? GAIN_AT_FIRST : GAIN_LATER;
     for (const Index h : edges_of_stars(centres)) {
       const double unit = CGAL::square(context_.length_at(mesh_.origin(h), mesh_.target(h)));
       const double l = mesh_.squared_edge_length(h);
