@@ -124,6 +124,8 @@ const Expectation EXPECTATIONS[] = {
   {"fandisk",              2,  BOTH,     17, 105,  53.7},
   {"anchor_dense",         1,  BOTH,     22, 105,  54.3},  // genus 4
   {"joint",                1,  BOTH,     24, 106,  48.8},  // genus 2, faces as long as the model
+  {"handle",               2,  BOTH,     22, 109, 52.0},  // the ends of its bore as wide as the target is long
+  {"anchor",               2,  BOTH,     27, 106, 45.1},  // discs whose rims have short edges
   {"cheese",               1,  EMBEDDED,  0, 172,  50.6},  // genus 133, faces as long as the model
   // with borders
   {"patch-30",             1,  BOTH,     31, 103,  54.2},  // one border
@@ -499,6 +501,31 @@ void thin_rings_stay_rings()
   }
   CHECK_MESSAGE(largest < .95, largest);
   CHECK_MESSAGE(mean < .28, mean);
+}
+
+// Flat discs not wider than the target is long, whose borders of short edges stay: an inner vertex or a few, joined to all of the border.
+void discs_with_short_border_edges_have_good_angles()
+{
+  for(int n = 6; n <= 16; ++n)
+    for(const double radius : {.4, .52, .7})
+    {
+      Mesh m;
+      std::vector<Mesh::Vertex_index> corners;
+      for(int i = 0; i < n; ++i)
+        corners.push_back(m.add_vertex(Point(radius * std::cos(2 * CGAL_PI * i / n), radius * std::sin(2 * CGAL_PI * i / n), 0)));
+      for(int i = 1; i + 1 < n; ++i)
+        m.add_face(corners[0], corners[i], corners[i + 1]);
+      const Mesh input = m;
+      IAR::isotropic_remeshing(m.faces(), 1., m, CGAL::parameters::collapse_constraints(false));
+
+      const std::string what = std::to_string(n) + " edges, radius " + std::to_string(radius);
+      if(!check_same_shape(m, input, what))
+        continue;
+      CHECK_MESSAGE(int(border(m).size()) == n, what);
+      const auto angles = IAR::inter_angle_statistics(m);
+      CHECK_MESSAGE(angles.minimum_angle >= 30, what << ": " << angles.minimum_angle);
+      CHECK_MESSAGE(angles.maximum_angle <= 104, what << ": " << angles.maximum_angle);
+    }
 }
 
 // Where the input crosses itself in what is small beside the target length, the result need not, and hardly withdraws for that. With
@@ -1405,6 +1432,7 @@ int main(int argc, char* argv[])
   large_distances_are_lowered();
   crossing_faces_are_parted();
   thin_rings_stay_rings();
+  discs_with_short_border_edges_have_good_angles();
   small_crossings_of_the_input_are_parted();
   boxes_that_touch_each_other_stay_boxes();
   regular_grids_are_stirred_up();

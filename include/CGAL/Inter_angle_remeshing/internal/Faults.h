@@ -38,8 +38,9 @@ class Faults
   using Index = Remeshing_mesh::Index;
 
   static constexpr double TOUCH = 0.05;      // degrees that every bad face counts more
-  // One face that is far out of its band is worse than many that are not; but no angle is worth a crossing.
-  static constexpr double CUBED = 0.2;
+  // One face that is far out of its band is worse than many that are not; but no angle is worth a crossing, beside which the square of a
+  // violation counts no more than this.
+  static constexpr double CUBED = 0.2, LARGEST_SQUARE = 900;
   // What two faces that cross each other count, and what the length of the segment in which they do, in target lengths; less where
   // the surface crosses itself: angles are not given up for what cannot be parted.
   static constexpr double CROSSING = 1000, CROSSING_LENGTH = 6000, INHERITED_CROSSING = 100;
@@ -190,7 +191,7 @@ private:
   double score_of_violation(double v) const
   {
     if (!(v > 0)) return 0;
-    return TOUCH + v + v * v + (finds_crossings_ ? 0 : CUBED * v * v * v);
+    return TOUCH + v + (finds_crossings_ ? (std::min)(v * v, LARGEST_SQUARE) : v * v + CUBED * v * v * v);
   }
 
   bool is_inherited(Index f) const { return crossings_of_surface_->are_near(context_, f); }

@@ -30,15 +30,26 @@ inline int flip_gain(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
                   sector_deviation(mesh, h) - sector_deviation(mesh, o));
 }
 
-// Whether a flip makes the smallest angle of the two faces at once thin and smaller than it was.
-inline bool makes_thin_angle_by_flip(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+// The squared sine of the smallest angle of the two faces at an edge, before and after a flip.
+struct Smallest_angle_by_flip
+{
+  double before, after;
+};
+
+inline Smallest_angle_by_flip smallest_angle_by_flip(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
   const Remeshing_mesh::Index o = mesh.opposite(h);
   const Vector3 &a = mesh.position(mesh.origin(h)), &b = mesh.position(mesh.origin(o)), &c = mesh.position(mesh.apex(h)),
                 &d = mesh.position(mesh.apex(o));
-  return makes_thin_angle(
-    (std::min)(squared_sine_of_smallest_angle(a, b, c), squared_sine_of_smallest_angle(b, a, d)),
-    (std::min)(squared_sine_of_smallest_angle(a, d, c), squared_sine_of_smallest_angle(d, b, c)));
+  return {(std::min)(squared_sine_of_smallest_angle(a, b, c), squared_sine_of_smallest_angle(b, a, d)),
+          (std::min)(squared_sine_of_smallest_angle(a, d, c), squared_sine_of_smallest_angle(d, b, c))};
+}
+
+// Whether a flip makes the smallest angle of the two faces at once thin and smaller than it was.
+inline bool makes_thin_angle_by_flip(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  const Smallest_angle_by_flip angle = smallest_angle_by_flip(mesh, h);
+  return makes_thin_angle(angle.before, angle.after);
 }
 
 // Whether the two faces that a flip makes look the same way as those that it takes away.

@@ -128,7 +128,7 @@ private:
     const Index h = operation.halfedge;
     std::vector<Index> touched = ends_and_apexes(mesh_, h);
     if (operation.kind == Kind::flip) {
-      if (is_announced) flip(context_, h); else mesh_.flip(h);
+      apply_flip(h, is_announced);
     } else if (operation.kind == Kind::collapse) {
       touched.erase(std::find(touched.begin(), touched.end(), mesh_.source(h)));
       if (is_announced) collapse(context_, h); else mesh_.collapse(h);
@@ -138,9 +138,39 @@ private:
     } else {
       const Split_vertex made = is_announced ? split(context_, h) : split_edge(context_, h);
       project_split_vertices<CGAL::Sequential_tag>(context_, {made});
+      flip_across(made.vertex, touched, is_announced);
       touched.push_back(made.vertex);
     }
     return touched;
+  }
+
+  // Flips edges opposite to v, and those behind, as long as the smallest angle of the two faces grows; edges that end at `touched`, for
+  // no others can be undone. In a fan of needles, as they fill the rim of a bore, a vertex is of use only where it is joined to all.
+  void flip_across(Index v, const std::vector<Index>& touched, bool is_announced)
+  {
+    const auto is_touched = [&](Index u) { return std::find(touched.begin(), touched.end(), u) != touched.end(); };
+    const auto find_one = [&]() {
+      Index found = -1;
+      mesh_.for_each_around(v, [&](Index k) {
+        const Index h = mesh_.next(k);
+        if (found < 0 && (is_touched(mesh_.origin(h)) || is_touched(mesh_.target(h))) && is_better_flipped(h)) found = h;
+      });
+      return found;
+    };
+    for (Index h = find_one(); h >= 0; h = find_one()) apply_flip(h, is_announced);
+  }
+
+  bool is_better_flipped(Index h) const
+  {
+    if (mesh_.is_on_curve_edge(h) || !mesh_.is_flip_legal(h) || !keeps_normals_by_flip(mesh_, h) || !context_.permits_flip(h, false))
+      return false;
+    const Smallest_angle_by_flip angle = smallest_angle_by_flip(mesh_, h);
+    return angle.after > angle.before;
+  }
+
+  void apply_flip(Index h, bool is_announced)
+  {
+    if (is_announced) flip(context_, h); else mesh_.flip(h);
   }
 
   Remeshing_context& context_;
