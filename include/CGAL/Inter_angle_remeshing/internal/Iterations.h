@@ -44,6 +44,8 @@ class Iterations
   // less than this part of the faces.
   static constexpr double TOO_DENSE = 1.5, COARSENED = 0.97;
   static constexpr int MOST_COARSENINGS = 8;
+  // Edges are far too long from so many times the length on that they may have.
+  static constexpr double FAR_TOO_LONG = 2;
 
 public:
   Iterations(Remeshing_context& context, const Schedule& schedule, Run_clock& clock, Remeshing_report& report,
@@ -65,7 +67,8 @@ public:
   void begin_anew()
   {
     operations_in_order_ = 0;
-    is_stirred_up_ = is_only_split_ = false;
+    is_stirred_up_ = false;
+    is_only_split_ = true;
   }
 
 private:
@@ -75,9 +78,7 @@ private:
     clock_.start_iteration();
     context_.visitor.start_iteration(clock_.iterations(), mesh_);
     if (clock_.is_late() && clock_.is_at_finest_level()) passes_.release_features();
-    const int halvings = clock_.iterations() == 0 || is_only_split_ ? halvings_to_do() : 0;
-    passes_.split_and_collapse();
-    is_only_split_ = is_only_to_be_split(halvings);
+    split_and_collapse();
     if (clock_.is_late() && number_of_operations() > operations) settle_lengths();
     order_elements();
     if (clock_.is_late() || !is_only_split_) {
@@ -143,8 +144,8 @@ private:
   {
     int halvings = halvings_to_do();
     for (int round = halvings + MOST_COARSENINGS; round > 0 && passes_.goes_on() && (halvings > 0 || is_too_dense()); --round) {
-      even_out();
-      const std::size_t faces = mesh_.number_of_live_faces(), splits = passes_.split_and_collapse();
+      if (!is_only_split_) even_out();
+      const std::size_t faces = mesh_.number_of_live_faces(), splits = split_and_collapse();
       if ((halvings == 0 || splits == 0) && double(mesh_.number_of_live_faces()) > COARSENED * double(faces)) return;
       halvings = halvings_to_do();
     }
@@ -156,22 +157,38 @@ private:
            double(mesh_.number_of_live_faces()) > TOO_DENSE * context_.grading.number_of_faces(mesh_, context_.target_length);
   }
 
-  // Whether edges are so much too long that the input's own, halved, are better than what flips and sweeps would make of them: faces
-  // that long, turned a little, cut through what lies between them, and vertices at short edges are drawn to the far ends of long
-  // ones. `before` is halvings_to_do() before the last splits, which must have shortened the longest edges.
-  bool is_only_to_be_split(int before) const
+  // Splits and collapses. Returns the number of splits. As long as edges are far too long, from the first iteration on, the input's own,
+  // halved, are better than what flips and sweeps would make of them: faces that long, turned a little, cut through what lies between
+  // them, a crease in the end, and vertices at short edges are drawn to the far ends of long ones. Where the longest edge stays as long
+  // as it is, as a policy may have it, they are left to those.
+  std::size_t split_and_collapse()
   {
-    const int now = before > 0 ? halvings_to_do() : 0;
-    return now > 0 && now < before;
+    const double excess = is_only_split_ ? excess_of_longest_edge() : 0;
+    std::size_t splits = passes_.split_and_collapse();
+    if (excess > FAR_TOO_LONG && !is_shortened(excess)) splits += passes_.split_and_collapse();   // edges that had got other names meanwhile
+    is_only_split_ = excess > FAR_TOO_LONG && excess_of_longest_edge() > FAR_TOO_LONG && is_shortened(excess);
+    return splits;
+  }
+
+  // Whether splits have shortened the longest edge, which had this excess.
+  bool is_shortened(double excess) const
+  {
+    constexpr double SHORTENED = 0.95;
+    return excess_of_longest_edge() < SHORTENED * excess;
+  }
+
+  // How many times as long as it may be the longest edge is.
+  double excess_of_longest_edge() const
+  {
+    if (context_.split_rule.is_never()) return 0;
+    return longest_edge_in_targets(mesh_, [&](Index u, Index v) { return context_.length_at(u, v); }) / recipe_.split_ratio;
   }
 
   // How often the longest edge must be halved until it is no longer far too long.
   int halvings_to_do() const
   {
-    if (context_.split_rule.is_never()) return 0;
-    const double ratio = longest_edge_in_targets(mesh_, [&](Index u, Index v) { return context_.length_at(u, v); }) /
-                         recipe_.split_ratio;
-    return ratio > 2 ? 1 + int(std::log2(ratio)) : 0;
+    const double excess = excess_of_longest_edge();
+    return excess > FAR_TOO_LONG ? 1 + int(std::log2(excess)) : 0;
   }
 
   // Puts the elements in space-filling order anew when splits and collapses have left enough of them out of it. The
@@ -194,7 +211,7 @@ private:
   Remeshing_report& report_;
   Pass_runner<ConcurrencyTag>& passes_;
   bool is_stirred_up_ = false;           // once only
-  bool is_only_split_ = false;           // in this iteration
+  bool is_only_split_ = true;            // as long as edges are far too long
   std::size_t operations_in_order_ = 0;  // splits and collapses before the last ordering
 };
 
