@@ -15,6 +15,7 @@
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 #include <CGAL/Inter_angle_remeshing/triangle_quality.h>
 
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -240,6 +241,54 @@ void degenerate_faces_are_survived()
     CHECK_MESSAGE(angles.number_of_degenerate_faces == 0,
                   name << ": " << angles.number_of_degenerate_faces);
     CHECK_MESSAGE(angles.average >= 50, name << ": " << angles.average);
+  }
+}
+
+// Facets many target lengths long between edges that are no features: these are cut within half of that length, as by any remesher, and
+// nowhere deeper. When flips and sweeps came before the last of the long edges was split, the cube had pits of six lengths and thousands
+// of crossing faces.
+void long_facets_are_not_cut_deeply(const Mesh& input, double length, unsigned iterations, bool marks_some, const std::string& what)
+{
+  Mesh output = input;
+  auto is_marked = output.add_property_map<Mesh::Edge_index, bool>("e:marked", false).first;
+  if(marks_some)
+    for(const Mesh::Edge_index e : output.edges())
+      is_marked[e] = output.point(output.vertex(e, 0)).x() == 0 && output.point(output.vertex(e, 1)).x() == 0;
+  const auto parameters = CGAL::parameters::number_of_iterations(iterations);
+  if(marks_some)
+    IAR::isotropic_remeshing(output.faces(), length, output, parameters.edge_is_constrained_map(is_marked));
+  else
+    IAR::isotropic_remeshing(output.faces(), length, output, parameters.sharpness_angle(180));
+
+  if(!check_same_shape(output, input, what))
+    return;
+  CHECK_MESSAGE(!does_self_intersect(output), what);
+  const double distance = surface_distance(input, output).hausdorff() / length;
+  CHECK_MESSAGE(distance < .9, what << ": " << distance);
+  const auto angles = IAR::inter_angle_statistics(output);
+  CHECK_MESSAGE(angles.minimum_angle >= 28, what << ": " << angles.minimum_angle);
+  CHECK_MESSAGE(angles.maximum_angle <= 108, what << ": " << angles.maximum_angle);
+}
+
+void edges_that_are_no_features_survive_long_facets()
+{
+  const std::vector<std::pair<const char*, Mesh>> inputs{
+    {"cube", meshes::to_mesh<Mesh>(meshes::cube(1))},
+    {"cylinder", meshes::to_mesh<Mesh>(meshes::turned({{1, 0}, {1, 4}}, 24, false))}};
+  for(const auto& [name, input] : inputs)
+  {
+    const CGAL::Bbox_3 box = PMP::bbox(input);
+    const double diagonal = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+    for(const double part : {30., 60., 120.})
+      for(const unsigned iterations : {1u, 3u, 10u})
+      {
+        if(meshes::is_small_run() && (part > 30 || iterations > 1))
+          continue;
+        const std::string what = name + (", 1/" + std::to_string(int(part))) + ", iterations " + std::to_string(iterations);
+        long_facets_are_not_cut_deeply(input, diagonal / part, iterations, false, what);
+        if(std::string(name) == "cube")
+          long_facets_are_not_cut_deeply(input, diagonal / part, iterations, true, what + ", one side marked");
+      }
   }
 }
 
@@ -1424,6 +1473,7 @@ int main(int argc, char* argv[])
   }
   real_meshes_keep_their_shape_and_gain_good_angles();
   degenerate_faces_are_survived();
+  edges_that_are_no_features_survive_long_facets();
   lengths_far_too_large_and_far_too_small_return();
   wanted_numbers_of_faces_are_met();
   coarse_numbers_of_faces_are_met();

@@ -44,8 +44,10 @@ class Iterations
   // less than this part of the faces.
   static constexpr double TOO_DENSE = 1.5, COARSENED = 0.97;
   static constexpr int MOST_COARSENINGS = 8;
-  // Edges are far too long from so many times the length on that they may have.
-  static constexpr double FAR_TOO_LONG = 2;
+  // Edges are far too long from so many times the length on that they may have. Splits of those that are very far too long get on if they
+  // shorten the longest one to this part, or are one for so many faces.
+  static constexpr double FAR_TOO_LONG = 2, VERY_FAR_TOO_LONG = 8, SHORTENED = 0.95;
+  static constexpr std::size_t FACES_PER_SPLIT = 20;
 
 public:
   Iterations(Remeshing_context& context, const Schedule& schedule, Run_clock& clock, Remeshing_report& report,
@@ -142,12 +144,13 @@ private:
   // length. Each should halve the longest edge, or take away faces; where policies do not let it, the rounds end all the same.
   void settle_lengths()
   {
-    int halvings = halvings_to_do();
-    for (int round = halvings + MOST_COARSENINGS; round > 0 && passes_.goes_on() && (halvings > 0 || is_too_dense()); --round) {
-      if (!is_only_split_) even_out();
+    double excess = excess_of_longest_edge();
+    for (int round = halvings(excess) + MOST_COARSENINGS;
+         round > 0 && passes_.goes_on() && (excess > FAR_TOO_LONG || is_too_dense()); --round) {
+      if (!(is_only_split_ && excess > VERY_FAR_TOO_LONG)) even_out();
       const std::size_t faces = mesh_.number_of_live_faces(), splits = split_and_collapse();
-      if ((halvings == 0 || splits == 0) && double(mesh_.number_of_live_faces()) > COARSENED * double(faces)) return;
-      halvings = halvings_to_do();
+      if ((excess <= FAR_TOO_LONG || splits == 0) && double(mesh_.number_of_live_faces()) > COARSENED * double(faces)) return;
+      excess = excess_of_longest_edge();
     }
   }
 
@@ -159,22 +162,27 @@ private:
 
   // Splits and collapses. Returns the number of splits. As long as edges are far too long, from the first iteration on, the input's own,
   // halved, are better than what flips and sweeps would make of them: faces that long, turned a little, cut through what lies between
-  // them, a crease in the end, and vertices at short edges are drawn to the far ends of long ones. Where the longest edge stays as long
-  // as it is, as a policy may have it, they are left to those.
+  // them, and vertices at short edges are drawn to the far ends of long ones.
   std::size_t split_and_collapse()
   {
     const double excess = is_only_split_ ? excess_of_longest_edge() : 0;
     std::size_t splits = passes_.split_and_collapse();
-    if (excess > FAR_TOO_LONG && !is_shortened(excess)) splits += passes_.split_and_collapse();   // edges that had got other names meanwhile
-    is_only_split_ = excess > FAR_TOO_LONG && excess_of_longest_edge() > FAR_TOO_LONG && is_shortened(excess);
+    double left = excess_of_longest_edge();
+    if (excess > VERY_FAR_TOO_LONG && !(left < SHORTENED * excess)) {          // edges had got other names meanwhile
+      splits += passes_.split_and_collapse();
+      left = excess_of_longest_edge();
+    }
+    is_only_split_ = left > FAR_TOO_LONG && are_splits_enough(excess, left, splits);
     return splits;
   }
 
-  // Whether splits have shortened the longest edge, which had this excess.
-  bool is_shortened(double excess) const
+  // Whether so many splits get on with long edges, the excess of which they have changed: a policy may not let them. In fans of needles there
+  // are many as long as the longest, and what is very far too long is never left to flips and sweeps before.
+  bool are_splits_enough(double before, double after, std::size_t splits) const
   {
-    constexpr double SHORTENED = 0.95;
-    return excess_of_longest_edge() < SHORTENED * excess;
+    if (before > VERY_FAR_TOO_LONG)
+      return after < SHORTENED * before || splits > mesh_.number_of_live_faces() / FACES_PER_SPLIT;
+    return halvings(after) < halvings(before);
   }
 
   // How many times as long as it may be the longest edge is.
@@ -184,12 +192,8 @@ private:
     return longest_edge_in_targets(mesh_, [&](Index u, Index v) { return context_.length_at(u, v); }) / recipe_.split_ratio;
   }
 
-  // How often the longest edge must be halved until it is no longer far too long.
-  int halvings_to_do() const
-  {
-    const double excess = excess_of_longest_edge();
-    return excess > FAR_TOO_LONG ? 1 + int(std::log2(excess)) : 0;
-  }
+  // How often an edge must be halved until it is no longer far too long.
+  static int halvings(double excess) { return excess > FAR_TOO_LONG ? 1 + int(std::log2(excess)) : 0; }
 
   // Puts the elements in space-filling order anew when splits and collapses have left enough of them out of it. The
   // larger the mesh, the sooner that pays.
