@@ -166,9 +166,11 @@ private:
   std::size_t split_and_collapse()
   {
     const double excess = is_only_split_ ? excess_of_longest_edge() : 0;
+    is_only_split_ = excess > FAR_TOO_LONG;
     std::size_t splits = passes_.split_and_collapse();
+    if (!is_only_split_) return splits;
     double left = excess_of_longest_edge();
-    if (excess > VERY_FAR_TOO_LONG && !(left < SHORTENED * excess)) {          // edges had got other names meanwhile
+    if (excess > VERY_FAR_TOO_LONG && left >= SHORTENED * excess) {            // edges had got other names meanwhile
       splits += passes_.split_and_collapse();
       left = excess_of_longest_edge();
     }
@@ -176,8 +178,8 @@ private:
     return splits;
   }
 
-  // Whether so many splits get on with long edges, the excess of which they have changed: a policy may not let them. In fans of needles there
-  // are many as long as the longest, and what is very far too long is never left to flips and sweeps before.
+  // Whether so many splits, which have changed the longest edge's excess, get on with what is to do: a policy may not let them. What is very
+  // far too long is not left to flips and sweeps any sooner; in a fan of needles many edges are about as long as the longest.
   bool are_splits_enough(double before, double after, std::size_t splits) const
   {
     if (before > VERY_FAR_TOO_LONG)
