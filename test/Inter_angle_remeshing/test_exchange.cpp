@@ -15,6 +15,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/crossings.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/graph_concepts.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -678,6 +679,7 @@ public:
     for(const auto f : faces(g))
       if(inside.count(f) == 0)
         faces_.push_back(f);
+    std::sort(faces_.begin(), faces_.end());
     look(g);
   }
 
@@ -708,7 +710,7 @@ private:
       {
         halfedge_rows_.push_back(row<Graph>(h, g));
         if(CGAL::is_border(opposite(h, g), g))
-          halfedge_rows_.push_back(row<Graph>(opposite(h, g), g));
+          halfedge_rows_.push_back(border_row(opposite(h, g), g));
       }
     }
     for(const auto v : vertices_)
@@ -716,7 +718,17 @@ private:
     points_ = shapes(faces_, g);
   }
 
-  Faces_of<Graph> faces_;
+  // Where the range touches the faces outside at a vertex, the border runs on along the range's edges, which may be others afterwards.
+  Halfedge_row border_row(Halfedge_of<Graph> h, const Graph& g) const
+  {
+    Halfedge_row result = row<Graph>(h, g);
+    for(Halfedge_of<Graph>* neighbor : {&std::get<1>(result), &std::get<2>(result)})
+      if(!std::binary_search(faces_.begin(), faces_.end(), face(opposite(*neighbor, g), g)))
+        *neighbor = Halfedge_of<Graph>();
+    return result;
+  }
+
+  Faces_of<Graph> faces_;                    // sorted
   std::vector<Vertex_of<Graph>> vertices_;
   std::vector<Halfedge_row> halfedge_rows_;
   std::vector<Face_row> face_rows_;
@@ -1000,6 +1012,26 @@ void a_range_may_touch_itself()
 }
 
 template <class Graph>
+double longest_edge(const Graph& g)
+{
+  double result = 0;
+  for(const auto e : edges(g))
+    result = (std::max)(result, CGAL::squared_distance(get(CGAL::vertex_point, g, source(e, g)),
+                                                       get(CGAL::vertex_point, g, target(e, g))));
+  return std::sqrt(result);
+}
+
+// Where only points are shared, the mesh is as good there as elsewhere.
+template <class Graph>
+void check_touching_parts(Graph& g, const Faces_of<Graph>& range, double length, const char* name)
+{
+  const Report report = check_range(g, range, length, name);
+  CHECK_MESSAGE(report.angles_after.minimum > 30 && report.angles_after.maximum < 110, name);
+  if(range.size() == faces(g).size())
+    CHECK_MESSAGE(longest_edge(g) < 2 * length, name);
+}
+
+template <class Graph>
 void a_mesh_may_touch_itself()
 {
   const Soup wings = without_isolated_points(square_without(8, [](std::size_t i, std::size_t j) {
@@ -1008,12 +1040,49 @@ void a_mesh_may_touch_itself()
   for(const double length : {.03, .3})
   {
     Graph both = to_mesh<Graph>(wings);
-    check_range(both, all_faces(both), length, "two wings");
+    check_touching_parts(both, all_faces(both), length, "two wings");
     for(const bool is_left : {false, true})
     {
       Graph one = to_mesh<Graph>(wings);
-      check_range(one, faces_where(one, [&](const Point& p) { return (p.x() < .5) == is_left; }), length, "one of two wings");
+      check_touching_parts(one, faces_where(one, [&](const Point& p) { return (p.x() < .5) == is_left; }), length,
+                           "one of two wings");
     }
+    Graph cells = to_mesh<Graph>(without_isolated_points(square_without(5, [](std::size_t i, std::size_t j) {
+      return (i + j) % 2 == 1;
+    })));
+    check_touching_parts(cells, all_faces(cells), length / 4, "cells that touch at their corners");
+  }
+}
+
+// Two spheres with a vertex in common, at which the mesh has no border.
+void closed_parts_may_share_a_vertex()
+{
+  for(const double length : {.05, .2, .6})
+  {
+    Mesh g = to_mesh<Mesh>(sphere(2).joined_with(sphere(2).moved(2, 0, 0)));
+    std::vector<Mesh::Vertex_index> shared;
+    for(const auto v : g.vertices())
+      if(CGAL::squared_distance(g.point(v), Point(1, 0, 0)) < 1e-12)
+        shared.push_back(v);
+    CHECK(shared.size() == 2);
+    const Mesh::Vertex_index kept = shared.front(), doubled = shared.back();
+    const std::vector<Mesh::Halfedge_index> fan(CGAL::halfedges_around_target(g.halfedge(doubled), g).begin(),
+                                                CGAL::halfedges_around_target(g.halfedge(doubled), g).end());
+    for(const auto h : fan)
+      g.set_target(h, kept);
+    g.set_halfedge(doubled, Mesh::null_halfedge());
+    g.remove_vertex(doubled);
+    IAR::isotropic_remeshing(g.faces(), length, g);
+    CHECK(CGAL::is_closed(g) && g.is_valid(false));
+    std::size_t fans = 0;
+    for(const auto h : g.halfedges())
+      fans += g.target(h) == kept && h == *std::min_element(CGAL::halfedges_around_target(h, g).begin(),
+                                                            CGAL::halfedges_around_target(h, g).end());
+    CHECK(fans == 2);
+    CHECK(longest_edge(g) < 1.7 * length);
+    // as meshes apart from each other they are manifold
+    CHECK(CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices(g) == 1);
+    CHECK(CGAL::is_valid_polygon_mesh(g));
   }
 }
 
@@ -1919,10 +1988,15 @@ void threads_see_a_strip_widen()
 
 void threads_do_not_change_a_bit()
 {
-  Mesh sequential = to_mesh<Mesh>(torus(30, 20, .4)), parallel = sequential;
-  IAR::isotropic_remeshing<CGAL::Sequential_tag>(.07, sequential);
-  IAR::isotropic_remeshing<CGAL::Parallel_tag>(.07, parallel);
-  CHECK(Picture<Mesh>(sequential) == Picture<Mesh>(parallel));
+  const Soup cells = without_isolated_points(square_without(12, [](std::size_t i, std::size_t j) { return (i / 2 + j / 2) % 2 == 1; }));
+  for(const Soup& soup : {torus(30, 20, .4), cells})
+    for(const double length : {.07, .2})
+    {
+      Mesh sequential = to_mesh<Mesh>(soup), parallel = sequential;
+      IAR::isotropic_remeshing<CGAL::Sequential_tag>(length, sequential);
+      IAR::isotropic_remeshing<CGAL::Parallel_tag>(length, parallel);
+      CHECK(Picture<Mesh>(sequential) == Picture<Mesh>(parallel));
+    }
   threads_see_a_side_become_a_curve();
   threads_see_a_strip_widen();
 }
@@ -1946,6 +2020,7 @@ int main()
 
   ranges_are_kept<Mesh>();
   ranges_are_kept<Polyhedron>();
+  closed_parts_may_share_a_vertex();
   garbage_makes_no_difference();
   vertices_keep_what_the_user_attached_to_them();
   exact_points_stay_exact();

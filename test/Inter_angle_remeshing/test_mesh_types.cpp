@@ -548,6 +548,22 @@ History history_of_a_whole_mesh()
   return {{"a torus", s.state()}};
 }
 
+// Cells of a chess board, as one mesh.
+template <class Graph, class Place>
+History history_of_parts_that_touch()
+{
+  Subject<Graph, Place> s(in_floats(meshes::without_isolated_points(meshes::square_without(6, [](std::size_t i, std::size_t j) {
+    return (i / 2 + j / 2) % 2 == 1;
+  }))));
+  History history;
+  for(const double length : {.05, .2})
+  {
+    s.remesh(s.sorted_faces(), length);
+    history.emplace_back("parts that touch, length " + std::to_string(length), s.state());
+  }
+  return history;
+}
+
 template <class Graph, class Place>
 History history_of_attributes()
 {
@@ -561,6 +577,8 @@ History history()
 {
   History result = history_of_ranges<Graph, Place>();
   for(auto&& entry : history_of_constraints<Graph, Place>())
+    result.push_back(entry);
+  for(auto&& entry : history_of_parts_that_touch<Graph, Place>())
     result.push_back(entry);
   result.push_back(history_of_a_whole_mesh<Graph, Place>().front());
   result.push_back(history_of_attributes<Graph, Place>().front());

@@ -35,7 +35,7 @@ public:
     ON_FEATURE = 2,         // it is an end of a constrained edge
     LOCKED = 4,             // neither moved nor removed
     NEXT_TO_OUTSIDE = 8,    // on the border between the range and faces outside of it
-    PINCHED = 16,           // one of several fans of the user's vertex: nothing around it may change
+    PINCHED = 16,           // one of several fans of the user's vertex, with a place of its own for each fan
     PINNED = 32,            // on a curve, along which it does not slide
     HELD = 64               // locked while the mesh is coarse
   };
@@ -216,6 +216,14 @@ public:
     }
   }
 
+  // The half-edge into v, a vertex on the border, with which its fan ends.
+  Index last_edge(Index v) const
+  {
+    Index last = first_[v];
+    for_each_around(v, [&](Index h) { last = h; });
+    return prev(last);
+  }
+
   // Whether `predicate(h)` holds for all of them; stops at the first one for which it does not.
   template <class Predicate>
   bool all_around(Index v, const Predicate& predicate) const
@@ -271,10 +279,22 @@ public:
 
   // --- what is legal topologically ----------------------------------------------------------------------------
 
-  // Whether a new edge between u and v could double one that the flat mesh does not see.
-  bool may_meet_outside(Index u, Index v) const
+  // Whether a new edge between u and v could double one of the user's that the flat mesh does not see: one outside of the range, or
+  // between other fans of the same vertices.
+  bool may_double_edge(Index u, Index v) const
   {
-    return (state_[u].marks & state_[v].marks & NEXT_TO_OUTSIDE) != 0;
+    constexpr unsigned HAS_EDGES_ELSEWHERE = NEXT_TO_OUTSIDE | PINCHED;
+    const unsigned of_u = state_[u].marks, of_v = state_[v].marks;
+    if ((of_u & HAS_EDGES_ELSEWHERE) != 0 && (of_v & HAS_EDGES_ELSEWHERE) != 0) return true;
+    return ((of_u | of_v) & PINCHED) != 0 && ((of_u & PINCHED) != 0 ? meets_fan_beside(v, u) : meets_fan_beside(u, v));
+  }
+
+  // Whether a neighbor of u is another fan of the user's vertex that v is a fan of.
+  bool meets_fan_beside(Index u, Index v) const
+  {
+    bool found = false;
+    for_each_neighbor(u, [&](Index w) { found |= w != v && is_pinched(w) && position_[w] == position_[v]; });
+    return found;
   }
 
   bool is_flip_legal(Index h) const;
@@ -330,14 +350,15 @@ public:
   void start_recording_touched() { touched_.assign(number_of_vertex_slots(), 0); }
   void stop_recording_touched() { touched_.clear(); }
   // Whether an operation since start_recording_touched() changed what an evaluation of h reads: the stars of the four vertices around it,
-  // and on a curve those of all vertices around its ends, where the strip beside its other edge may end.
+  // and those of all vertices around its ends where it is on a curve, as the strip beside its other edge may end there, or where an end
+  // is pinched, as they may be joined to the fans beside.
   bool is_touched(Index h) const
   {
     if (origin(h) < 0) return true;
     const Index o = opposite(h);
     if (touched_[origin(h)] || touched_[target(h)] || touched_[apex(h)] || (!is_border(h) && touched_[apex(o)])) return true;
     bool result = false;
-    if (is_on_curve_edge(h))
+    if (is_on_curve_edge(h) || is_pinched(origin(h)) || is_pinched(target(h)))
       for (const Index end : {origin(h), target(h)})
         for_each_neighbor(end, [&](Index v) { result = result || touched_[v] != 0; });
     return result;

@@ -22,7 +22,7 @@ inline bool Remeshing_mesh::is_flip_legal(Index h) const
   const Index a = origin(h), b = origin(o), c = apex(h), d = apex(o);
   return c != d && state_[a].valence > least_valence(a) && state_[b].valence > least_valence(b) &&
          state_[c].valence < LARGEST_VALENCE && state_[d].valence < LARGEST_VALENCE &&
-         !may_meet_outside(c, d) && !is_adjacent(c, d);
+         !may_double_edge(c, d) && !is_adjacent(c, d);
 }
 
 inline bool Remeshing_mesh::is_collapse_legal(Index h) const
@@ -56,8 +56,7 @@ inline bool Remeshing_mesh::keeps_topology(Index h) const
   bool is_legal = true;
   for_each_neighbor(a, [&](Index u) {
     if (u == b) return;
-    is_legal &= !is_pinched(u);
-    if (u != c && u != d) is_legal &= !may_meet_outside(b, u);
+    if (u != c && u != d) is_legal &= !may_double_edge(b, u);
     for_each_neighbor(b, [&](Index w) { common += u == w; });
   });
   return is_legal && common == (c < 0 || d < 0 ? 1 : 2);

@@ -246,29 +246,22 @@ private:
     mesh.set_first(v, first);
     mesh.set_valence(v, faces + (is_border ? 1 : 0));
     if (is_border) mark_border(v, first);
-    if (!has_known || (is_border && !continues_its_border(first))) doubtful_fans_.push_back(v);
+    if (!has_known || (is_border && !continues_its_border(v))) doubtful_fans_.push_back(v);
   }
 
   void mark_border(Index v, Index first)
   {
     copy_.mesh.add_marks(v, Remeshing_mesh::ON_BORDER);
-    if (has_outside_face(first) || has_outside_face(last_edge(first)))
+    if (has_outside_face(first) || has_outside_face(copy_.mesh.last_edge(v)))
       copy_.mesh.add_marks(v, Remeshing_mesh::NEXT_TO_OUTSIDE);
   }
 
-  // The half-edge into the origin of `first` with which the fan that `first` begins ends.
-  Index last_edge(Index first) const
-  {
-    Index last = first;
-    for (Index k = first; k >= 0; k = copy_.mesh.rotate_ccw(k)) last = k;
-    return copy_.mesh.prev(last);
-  }
-
-  // Whether the user's half-edge that comes in before the fan is followed by the one that goes out after it. If not,
+  // Whether the user's half-edge that comes in before the fan of v is followed by the one that goes out after it. If not,
   // there is another fan in between, or faces outside.
-  bool continues_its_border(Index first) const
+  bool continues_its_border(Index v) const
   {
-    return next(opposite(copy_.halfedge(first), tmesh_), tmesh_) == opposite(copy_.halfedge(last_edge(first)), tmesh_);
+    return next(opposite(copy_.halfedge(copy_.mesh.first(v)), tmesh_), tmesh_) ==
+           opposite(copy_.halfedge(copy_.mesh.last_edge(v)), tmesh_);
   }
 
   bool has_outside_face(Index h) const

@@ -92,6 +92,7 @@ public:
   // Hands the flat mesh over, all marks and flags set, to be remeshed.
   Remeshing_mesh take_mesh()
   {
+    note_pinched_fans();
     protect_what_is_shared();
     sort_edges();
     return std::move(copy_.mesh);
@@ -137,20 +138,67 @@ private:
     }
   };
 
-  // Protects the edges towards faces outside, those of the border that end there, and all around pinched vertices;
-  // then locks the ends of protected edges.
+  // A fan of faces at a vertex of the user's that has several. The border of the mesh comes in before one of them and goes out after
+  // another one.
+  struct Pinched_fan
+  {
+    Index vertex;                               // its number in the input
+    bool has_known;                             // whether the vertex is known by a half-edge of this fan
+    halfedge_descriptor in, out;                // sides of the border; null where faces outside are in their place, or nothing
+    halfedge_descriptor out_beyond, in_beyond;  // what follows `in`, and what `out` follows, where these are of no fan of the range
+    Index fan_beyond;                           // by number in pinched_fans_: the one whose `out` follows `in`; -1: none
+  };
+
+  void note_pinched_fans()
+  {
+    const Remeshing_mesh& mesh = copy_.mesh;
+    for (Index v = 0; v < Index(copy_.vertices.size()); ++v)
+      if (mesh.is_pinched(v)) pinched_fans_.push_back(pinched_fan(v));
+    Descriptor_index<halfedge_descriptor> fan_before(pinched_fans_.size()), fan_after(pinched_fans_.size());
+    for (Index i = 0; i < Index(pinched_fans_.size()); ++i) {
+      const Pinched_fan& fan = pinched_fans_[i];
+      if (fan.in != Traits::null_halfedge()) fan_after.insert(fan.in, i);
+      if (fan.out != Traits::null_halfedge()) fan_before.insert(fan.out, i);
+    }
+    for (Pinched_fan& fan : pinched_fans_) {
+      if (fan.in != Traits::null_halfedge()) fan.fan_beyond = fan_before.find(fan.out_beyond);
+      if (fan.out != Traits::null_halfedge() && fan_after.find(fan.in_beyond) >= 0) fan.in_beyond = Traits::null_halfedge();
+    }
+    new_out_.assign(pinched_fans_.size(), Traits::null_halfedge());
+  }
+
+  Pinched_fan pinched_fan(Index v) const
+  {
+    const Remeshing_mesh& mesh = copy_.mesh;
+    const halfedge_descriptor none = Traits::null_halfedge(), known = halfedge(copy_.vertices[v], tmesh_);
+    Pinched_fan fan{v, false, none, none, none, none, -1};
+    mesh.for_each_around(v, [&](Index h) {
+      fan.has_known |= opposite(copy_.halfedge(h), tmesh_) == known || copy_.halfedge(mesh.prev(h)) == known;
+    });
+    if (!mesh.is_border_vertex(v)) return fan;
+    const auto border_side = [&](Index h) {
+      const halfedge_descriptor side = opposite(copy_.halfedge(h), tmesh_);
+      return face(side, tmesh_) == Traits::null_face() ? side : none;
+    };
+    fan.in = border_side(mesh.first(v));
+    fan.out = border_side(mesh.last_edge(v));
+    if (fan.in != none) fan.out_beyond = next(fan.in, tmesh_);
+    if (fan.out != none) fan.in_beyond = prev(fan.out, tmesh_);
+    return fan;
+  }
+
+  // Protects the edges towards faces outside, and those of the border that end there, and locks the ends of protected edges; a pinched
+  // vertex is locked, so that all fans of the user's keep to one point.
   void protect_what_is_shared()
   {
     Remeshing_mesh& mesh = copy_.mesh;
-    constexpr unsigned SHARED = Remeshing_mesh::NEXT_TO_OUTSIDE | Remeshing_mesh::PINCHED;
-    if (!has_marks(SHARED | Remeshing_mesh::ON_BORDER | Remeshing_mesh::ON_FEATURE)) return;
+    for (const Pinched_fan& fan : pinched_fans_) mesh.add_marks(fan.vertex, Remeshing_mesh::LOCKED);
+    if (!has_marks(Remeshing_mesh::NEXT_TO_OUTSIDE | Remeshing_mesh::ON_BORDER | Remeshing_mesh::ON_FEATURE)) return;
     for_each_edge([&](Index h, halfedge_descriptor user) {
+      if (!mesh.is_border(h)) return;
       const unsigned ends = mesh.marks(mesh.origin(h)) | mesh.marks(mesh.target(h));
-      const Index o = mesh.opposite(h);
-      const unsigned apexes = mesh.marks(mesh.apex(h)) | (o >= 0 ? mesh.marks(mesh.apex(o)) : 0);
-      const bool is_outer = mesh.is_border(h) && face(opposite(user, tmesh_), tmesh_) != Traits::null_face();
-      if (is_outer || (mesh.is_border(h) && (ends & SHARED)) || ((ends | apexes) & Remeshing_mesh::PINCHED))
-        mesh.add_flags(h, Remeshing_mesh::PROTECTED);
+      const bool is_outer = face(opposite(user, tmesh_), tmesh_) != Traits::null_face();
+      if (is_outer || (ends & Remeshing_mesh::NEXT_TO_OUTSIDE)) mesh.add_flags(h, Remeshing_mesh::PROTECTED);
     });
     for_each_edge([&](Index h, halfedge_descriptor) {
       if (!mesh.is_protected(h)) return;
@@ -298,10 +346,10 @@ private:
     });
     mesh.for_each_halfedge([&](Index h) { if (mesh.is_border(h)) connect_border(mesh, h); });
     for (Index v = 0; v < Index(vertex_of_.size()); ++v) connect_vertex(mesh, v);
+    connect_pinched_fans(mesh);
   }
 
-  // The border side of h. Where a protected edge of the border ends next to faces outside, or at a pinched vertex,
-  // the chain of the border runs on as it did.
+  // The border side of h. Where a protected edge of the border ends next to faces outside, the chain of the border runs on as it did.
   void connect_border(const Remeshing_mesh& mesh, Index h)
   {
     const halfedge_descriptor side = opposite(halfedge_of(h), tmesh_);
@@ -311,6 +359,34 @@ private:
     if (mesh.marks(mesh.origin(h)) & (Remeshing_mesh::NEXT_TO_OUTSIDE | Remeshing_mesh::PINCHED)) return;
     const Mesh_halfedge following = next(Mesh_halfedge(~h), mesh);
     set_next(side, opposite(halfedge_of(~following.index()), tmesh_), tmesh_);
+  }
+
+  // The border runs from fan to fan as it did.
+  void connect_pinched_fans(const Remeshing_mesh& mesh)
+  {
+    if (pinched_fans_.empty()) return;
+    const auto for_each_fan = [&](const auto& function) {
+      for (Index v = 0; v < Index(vertex_of_.size()); ++v) {
+        if (!mesh.is_pinched(v)) continue;
+        const auto fan = std::lower_bound(pinched_fans_.begin(), pinched_fans_.end(), mesh.input(v),
+                                          [](const Pinched_fan& f, Index vertex) { return f.vertex < vertex; });
+        function(*fan, v, std::size_t(fan - pinched_fans_.begin()));
+      }
+    };
+    const halfedge_descriptor none = Traits::null_halfedge();
+    for_each_fan([&](const Pinched_fan& fan, Index v, std::size_t i) {
+      if (fan.has_known) set_halfedge(vertex_of_[v], opposite(halfedge_of(mesh.first(v)), tmesh_), tmesh_);
+      if (fan.out == none) return;
+      new_out_[i] = opposite(halfedge_of(mesh.last_edge(v)), tmesh_);
+      if (fan.in_beyond != none) set_next(fan.in_beyond, new_out_[i], tmesh_);
+    });
+    for_each_fan([&](const Pinched_fan& fan, Index v, std::size_t) {
+      if (fan.in == none) return;
+      const halfedge_descriptor in = opposite(halfedge_of(mesh.first(v)), tmesh_);
+      set_next(in, fan.fan_beyond >= 0 ? new_out_[fan.fan_beyond] : fan.out_beyond, tmesh_);
+      set_halfedge(vertex_of_[v], in, tmesh_);
+    });
+    for_each_fan([&](const Pinched_fan&, Index v, std::size_t) { adjust_border(vertex_of_[v], tmesh_, 0); });
   }
 
   void connect_vertex(const Remeshing_mesh& mesh, Index v)
@@ -355,11 +431,13 @@ private:
   const char* caller_;
   Flat_copy<TriangleMesh> copy_;
   std::vector<Kept_edge> kept_edges_;
+  std::vector<Pinched_fan> pinched_fans_;           // by number of the input vertex
   std::vector<halfedge_descriptor> spare_edges_;
 
   std::vector<halfedge_descriptor> halfedge_of_;    // by flat corner: 3 f + k
   std::vector<vertex_descriptor> vertex_of_;        // by flat vertex
   std::vector<Index> new_vertices_;
+  std::vector<halfedge_descriptor> new_out_;        // by pinched fan
   std::vector<std::pair<vertex_descriptor, Point_3>> old_points_;   // of the vertices that have got a new one
   std::vector<char> is_kept_;                       // by input vertex
   std::size_t vertices_made_ = 0, edges_needed_ = 0, edges_used_ = 0, faces_before_ = 0, edges_before_ = 0;
