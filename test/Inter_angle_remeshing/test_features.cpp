@@ -542,6 +542,31 @@ void the_tips_of_noise_do_not_stay()
   }
 }
 
+// However rough a surface is, it can be coarsened. Were all spikes spared as tips, a sphere with them would have more faces at three
+// times its edge length than at twice.
+void the_roughest_surface_can_be_coarsened()
+{
+  for(const double deviation : {1., 2.})
+  {
+    Mesh rough = meshes::to_mesh<Mesh>(meshes::sphere(5));
+    const double radius_deviation = deviation * mean_edge_length(rough);
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal(0, radius_deviation);
+    for(const Vertex v : rough.vertices())
+      rough.point(v) = CGAL::ORIGIN + (1 + normal(random)) * (rough.point(v) - CGAL::ORIGIN);
+    std::size_t before = rough.number_of_faces();
+    for(const double factor : {1.5, 3., 6.})
+    {
+      Mesh m = rough;
+      const auto report = IAR::isotropic_remeshing(factor * mean_edge_length(rough), m);
+      CHECK_MESSAGE(CGAL::is_closed(m) && topology(m) == topology(rough), deviation << ", " << factor);
+      CHECK_MESSAGE(report.output_faces < before, deviation << ", " << factor << ": " << report.output_faces);
+      CHECK_MESSAGE(report.angles_after.minimum > 12, deviation << ", " << factor << ": " << report.angles_after.minimum);
+      before = report.output_faces;
+    }
+  }
+}
+
 // Noise makes the input cross itself where what is under the noise does not, which is no reason to let the result do so.
 void what_noise_makes_cross_is_parted()
 {
@@ -2351,6 +2376,7 @@ int main()
   noise_hides_no_edge_and_makes_none();
   the_roughest_noise_is_no_feature();
   the_tips_of_noise_do_not_stay();
+  the_roughest_surface_can_be_coarsened();
   what_noise_makes_cross_is_parted();
   knurled_plates_keep_their_pyramids();
   a_range_and_other_types_will_do();

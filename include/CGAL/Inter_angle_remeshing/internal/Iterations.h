@@ -16,6 +16,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
 #include <CGAL/Inter_angle_remeshing/internal/space_filling_order.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -44,6 +45,9 @@ class Iterations
   // less than this part of the faces.
   static constexpr double TOO_DENSE = 1.5, COARSENED = 0.97;
   static constexpr int MOST_COARSENINGS = 8;
+  // What stands out of a clean surface is a tip, which collapses spare; of a noisy one most are spikes. Where these keep it too dense, an
+  // iteration spares those alone that stand out so many times as far as in the one before, up to so many times in all.
+  static constexpr double SPIKE_GROWTH = 2, LARGEST_SPIKE_FACTOR = 4;
   // Edges are far too long from so many times the length on that they may have. Splits of those that are very far too long get on if they
   // shorten the longest one to this part, or are one for so many faces.
   static constexpr double FAR_TOO_LONG = 2, VERY_FAR_TOO_LONG = 8, SHORTENED = 0.95;
@@ -68,6 +72,7 @@ public:
 
   void begin_anew()
   {
+    context_.spike_factor = 1;
     operations_in_order_ = 0;
     is_stirred_up_ = false;
     is_only_split_ = true;
@@ -80,6 +85,8 @@ private:
     clock_.start_iteration();
     context_.visitor.start_iteration(clock_.iterations(), mesh_);
     if (clock_.is_late() && clock_.is_at_finest_level()) passes_.release_features();
+    if (clock_.iterations() > 2 && context_.noise > 0 && is_too_dense())
+      context_.spike_factor = (std::min)(LARGEST_SPIKE_FACTOR, SPIKE_GROWTH * context_.spike_factor);
     split_and_collapse();
     if (clock_.is_late() && number_of_operations() > operations) settle_lengths();
     order_elements();

@@ -53,6 +53,7 @@ struct Remeshing_context
   double release_distance = 0;         // of corners of features that may be given up, in target lengths; 0: none may
   double grading_rate = 0;             // at curves; 0: their short edges do not lower the target length
   double noise = 0;                    // of the input, beside the target length; 0: it is clean
+  double spike_factor = 1;             // how many times as far as Recipe::collapse_tolerance says a collapse may reach
   const Input_locator* locator = nullptr;  // null where nobody asks for places
   Grading grading;
   Kept_places kept_places;             // while faces and angles are mended
@@ -66,6 +67,9 @@ struct Remeshing_context
     return grading.has_field() ? target_length * grading.field_part(u, v) : target_length;
   }
   double largest_length() const { return target_length * grading.largest_field_part(); }
+
+  // How far a removed vertex may be from what replaces its star, where the target length is that of the run.
+  double collapse_tolerance() const { return spike_factor * recipe.collapse_tolerance * target_length; }
 
   // The longest and the shortest that an edge between u and v, not on a curve, may be; squared.
   double squared_length_limit(Index u, Index v) const

@@ -205,8 +205,7 @@ std::size_t collapse_pass(Remeshing_context& context, std::vector<Remeshing_mesh
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
-  const Collapse_limits limits{context.squared_length_limit(),
-                               CGAL::square(context.recipe.collapse_tolerance * context.target_length), MAXIMUM_MERGED_VALENCE};
+  const Collapse_limits limits{context.squared_length_limit(), CGAL::square(context.collapse_tolerance()), MAXIMUM_MERGED_VALENCE};
   const auto is_too_short = [&](Index h) {
     return mesh.has_place(h) ? is_too_short_on_curve(context, h)
                              : mesh.squared_edge_length(h) < context.squared_shortness_limit(mesh.origin(h), mesh.target(h));

@@ -69,8 +69,7 @@ inline std::size_t collapse_surplus(Remeshing_context& context, std::size_t want
   for (const Surplus_limits& surplus : SURPLUS_LIMITS) {
     if (surplus.tolerance > 1 && mesh.has_curves()) break;
     const Collapse_limits limits{CGAL::square(CLEAN_UP_LENGTH * context.target_length),
-                                 CGAL::square(surplus.tolerance * context.recipe.collapse_tolerance * context.target_length),
-                                 surplus.valence};
+                                 CGAL::square(surplus.tolerance * context.collapse_tolerance()), surplus.valence};
     for (const auto& e : edges) {
       if (mesh.number_of_live_faces() <= goal + 1) break;
       const Index h = e.second;

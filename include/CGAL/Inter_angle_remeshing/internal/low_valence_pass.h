@@ -45,8 +45,7 @@ std::size_t low_valence_pass(Remeshing_context& context)
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
   const double length = context.target_length;
-  const Collapse_limits limits{CGAL::square(CLEAN_UP_LENGTH * length), CGAL::square(context.recipe.collapse_tolerance * length),
-                               MAXIMUM_MERGED_VALENCE};
+  const Collapse_limits limits{CGAL::square(CLEAN_UP_LENGTH * length), CGAL::square(context.collapse_tolerance()), MAXIMUM_MERGED_VALENCE};
   std::size_t collapses = 0;
   measure_regular_valences<ConcurrencyTag>(mesh, context.recipe.curvature_valences);
   for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
