@@ -567,6 +567,24 @@ void the_roughest_surface_can_be_coarsened()
   }
 }
 
+// A wanted number of faces is met there, too, though the spikes take most of the area with them when they go.
+void the_roughest_surface_gets_the_wanted_number_of_faces()
+{
+  Mesh rough = meshes::to_mesh<Mesh>(meshes::square(40));
+  std::mt19937 random(1);
+  std::normal_distribution<double> height(0, 2 * mean_edge_length(rough));
+  for(const Vertex v : rough.vertices())
+    if(!rough.is_border(v))
+      rough.point(v) += Vector(0, 0, height(random));
+  for(const std::size_t wanted : {100, 200, 500})
+  {
+    Mesh m = rough;
+    const auto report = IAR::isotropic_remeshing(m.faces(), IAR::Face_count(wanted), m);
+    CHECK_MESSAGE(std::abs(double(report.output_faces) - double(wanted)) <= .05 * double(wanted),
+                  wanted << ": " << report.output_faces);
+  }
+}
+
 // Noise makes the input cross itself where what is under the noise does not, which is no reason to let the result do so.
 void what_noise_makes_cross_is_parted()
 {
@@ -2377,6 +2395,7 @@ int main()
   the_roughest_noise_is_no_feature();
   the_tips_of_noise_do_not_stay();
   the_roughest_surface_can_be_coarsened();
+  the_roughest_surface_gets_the_wanted_number_of_faces();
   what_noise_makes_cross_is_parted();
   knurled_plates_keep_their_pyramids();
   a_range_and_other_types_will_do();

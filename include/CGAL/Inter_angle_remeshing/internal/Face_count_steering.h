@@ -29,7 +29,7 @@ class Face_count_steering
   static constexpr double NEAR = 1.3;
   // How far the length goes from the first one.
   static constexpr double SHORTEST = 0.88, LONGEST = 1.15;
-  // What grading and strips add, no table knows. From this iteration on, when the mesh has settled, the length takes it back step
+  // What grading and strips add, and spikes of noise that go late take away, no table knows. From this iteration on, when the mesh has settled, the length takes it back step
   // by step, each within these factors.
   static constexpr unsigned FIRST_STEP = 3;
   static constexpr double SMALLEST_STEP = 0.7, LARGEST_STEP = 1.6;
@@ -42,7 +42,7 @@ public:
     if (wanted_faces == 0 || clock.iterations() == 0 || clock.is_late()) return;
     const double faces = double(context.mesh.number_of_live_faces()), ratio = faces / double(wanted_faces);
     double& length = context.target_length;
-    if (context.is_graded()) {
+    if (context.is_graded() || context.spike_factor > 1) {
       if (clock.iterations() >= FIRST_STEP) length *= (std::max)(SMALLEST_STEP, (std::min)(LARGEST_STEP, std::sqrt(ratio)));
       return;
     }

@@ -85,7 +85,7 @@ private:
     clock_.start_iteration();
     context_.visitor.start_iteration(clock_.iterations(), mesh_);
     if (clock_.is_late() && clock_.is_at_finest_level()) passes_.release_features();
-    if (clock_.iterations() > 2 && context_.noise > 0 && is_too_dense())
+    if (clock_.iterations() > 2 && context_.noise > 0 && has_too_many_faces())
       context_.spike_factor = (std::min)(LARGEST_SPIKE_FACTOR, SPIKE_GROWTH * context_.spike_factor);
     split_and_collapse();
     if (clock_.is_late() && number_of_operations() > operations) settle_lengths();
@@ -165,6 +165,13 @@ private:
   {
     return !context_.collapse_rule.is_never() &&
            double(mesh_.number_of_live_faces()) > TOO_DENSE * context_.grading.number_of_faces(mesh_, context_.target_length);
+  }
+
+  // Where a number of faces is wanted, the length follows it: then that number tells.
+  bool has_too_many_faces() const
+  {
+    const std::size_t wanted = passes_.wanted_faces();
+    return wanted > 0 ? double(mesh_.number_of_live_faces()) > TOO_DENSE * double(wanted) : is_too_dense();
   }
 
   // Splits and collapses. Returns the number of splits. As long as edges are far too long, from the first iteration on, the input's own,
