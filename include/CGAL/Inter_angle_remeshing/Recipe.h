@@ -72,7 +72,7 @@ struct Recipe
   /// vertices belong, and would be chased away otherwise
   bool curvature_valences = true;
   /// how far from the new surface the vertex that a collapse removes may lie, in target lengths; twice, then four times as far where
-  /// the spikes of a noisy input would keep the mesh half as dense again as its area asks for
+  /// the spikes of a noisy input would keep half as many faces again as its area asks for, or as are wanted
   double collapse_tolerance = 0.15;
   /// whether, where the target length is well under that of the input's edges, the iterations run on a coarser level, whose faces
   /// are then cut into four until they have the target length: several times faster, and the vertices are more regular. Levels

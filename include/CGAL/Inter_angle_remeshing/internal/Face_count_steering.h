@@ -29,8 +29,8 @@ class Face_count_steering
   static constexpr double NEAR = 1.3;
   // How far the length goes from the first one.
   static constexpr double SHORTEST = 0.88, LONGEST = 1.15;
-  // What grading and strips add, and spikes of noise that go late take away, no table knows. From this iteration on, when the mesh has settled, the length takes it back step
-  // by step, each within these factors.
+  // What grading and strips add, and spikes of noise that go late take away, no table knows. From this iteration on, when the mesh has
+  // settled, the length takes it back step by step, each within these factors.
   static constexpr unsigned FIRST_STEP = 3;
   static constexpr double SMALLEST_STEP = 0.7, LARGEST_STEP = 1.6;
 

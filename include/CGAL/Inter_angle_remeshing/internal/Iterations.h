@@ -46,8 +46,10 @@ class Iterations
   static constexpr double TOO_DENSE = 1.5, COARSENED = 0.97;
   static constexpr int MOST_COARSENINGS = 8;
   // What stands out of a clean surface is a tip, which collapses spare; of a noisy one most are spikes. Where these keep it too dense, an
-  // iteration spares those alone that stand out so many times as far as in the one before, up to so many times in all.
+  // iteration spares those alone that stand out so many times as far as in the one before, up to so many times in all; but not before
+  // the first ones, in which the mesh is still being coarsened.
   static constexpr double SPIKE_GROWTH = 2, LARGEST_SPIKE_FACTOR = 4;
+  static constexpr unsigned COARSENING_ITERATIONS = 2;
   // Edges are far too long from so many times the length on that they may have. Splits of those that are very far too long get on if they
   // shorten the longest one to this part, or are one for so many faces.
   static constexpr double FAR_TOO_LONG = 2, VERY_FAR_TOO_LONG = 8, SHORTENED = 0.95;
@@ -85,7 +87,7 @@ private:
     clock_.start_iteration();
     context_.visitor.start_iteration(clock_.iterations(), mesh_);
     if (clock_.is_late() && clock_.is_at_finest_level()) passes_.release_features();
-    if (clock_.iterations() > 2 && context_.noise > 0 && has_too_many_faces())
+    if (clock_.iterations() > COARSENING_ITERATIONS && context_.noise > 0 && has_too_many_faces())
       context_.spike_factor = (std::min)(LARGEST_SPIKE_FACTOR, SPIKE_GROWTH * context_.spike_factor);
     split_and_collapse();
     if (clock_.is_late() && number_of_operations() > operations) settle_lengths();
