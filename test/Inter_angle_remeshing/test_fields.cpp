@@ -530,6 +530,101 @@ void scalars_are_interpolated()
   }
 }
 
+// What is smooth is carried over as if it had been known all along, again and again: linear values on the result's faces are about as near
+// to the truth as the true ones at its vertices would be.
+void smooth_functions_do_not_wear_off()
+{
+  Mesh m = meshes::to_mesh<Mesh>(meshes::sphere(4));
+  const double length = mean_edge_length(m);
+  const auto smooth = m.add_property_map<Vertex, double>("v:smooth", 0).first, truth = m.add_property_map<Vertex, double>("v:truth", 0).first;
+  for(const Vertex v : m.vertices())
+    smooth[v] = harmonic(m.point(v));
+  const Error before = error(m, smooth);
+  for(int run = 0; run < 5; ++run)
+  {
+    IAR::Attribute_transfer<Mesh> transfer;
+    transfer.add_smooth_vertex_map(smooth, m);
+    IAR::isotropic_remeshing((run % 2 == 0 ? 1. : .7) * length, m, parameters::visitor(transfer));
+    for(const Vertex v : m.vertices())
+      truth[v] = harmonic(m.point(v));
+    const Error after = error(m, smooth);
+    CHECK_MESSAGE(after.at_vertices <= .1 * before.on_faces, run << ": " << after.at_vertices << " " << before.on_faces);
+    CHECK_MESSAGE(after.on_faces <= 1.15 * error(m, truth).on_faces, run << ": " << after.on_faces << " " << error(m, truth).on_faces);
+    CHECK_MESSAGE(after.on_faces <= 1.1 * before.on_faces, run << ": " << after.on_faces << " " << before.on_faces);
+  }
+}
+
+// In the plane quadratic functions are reproduced, at its border, too, in any unit of length; points are, on any surface, where they lie.
+void quadratic_functions_are_kept()
+{
+  const auto quadratic = [](double x, double y) { return 1 + 2 * x - y + 3 * x * x - 4 * x * y + .5 * y * y; };
+  for(const double unit : {1., 1e-100, 1e100})
+  {
+    Mesh m = meshes::to_mesh<Mesh>(meshes::square(8));
+    std::mt19937 random(7);
+    for(const Vertex v : m.vertices())
+    {
+      const Point p = m.point(v);
+      const auto shifted = [&](double x) { return x > .01 && x < .99 ? x + std::uniform_real_distribution<>(-.03, .03)(random) : x; };
+      m.point(v) = Point(unit * shifted(p.x()), unit * shifted(p.y()), 0);
+    }
+    using Values = std::array<float, 2>;
+    const auto value = m.add_property_map<Vertex, double>("v:value", 0).first;
+    const auto values = m.add_property_map<Vertex, Values>("v:values").first;
+    const auto place = m.add_property_map<Vertex, Point>("v:place").first;
+    for(const Vertex v : m.vertices())
+    {
+      value[v] = quadratic(m.point(v).x() / unit, m.point(v).y() / unit);
+      values[v] = {float(value[v]), float(-value[v])};
+      place[v] = m.point(v);
+    }
+    IAR::Attribute_transfer<Mesh> transfer;
+    transfer.add_smooth_vertex_map(value, m);
+    transfer.add_smooth_vertex_map(values, m, parameters::vertex_point_map(m.points()));
+    transfer.add_smooth_vertex_map(place, m);
+    IAR::isotropic_remeshing(.6 * mean_edge_length(m), m, parameters::visitor(transfer));
+    for(const Vertex v : m.vertices())
+    {
+      const double x = m.point(v).x() / unit, y = m.point(v).y() / unit;
+      CHECK_MESSAGE(std::abs(value[v] - quadratic(x, y)) < 1e-9, m.point(v) << ": " << value[v] << " " << quadratic(x, y));
+      CHECK(std::abs(values[v][0] - value[v]) < 1e-4 && std::abs(values[v][1] + value[v]) < 1e-4);
+      CHECK(std::abs(place[v].x() / unit - x) < 1e-9 && std::abs(place[v].y() / unit - y) < 1e-9 && place[v].z() == 0);
+    }
+  }
+}
+
+// What is not smooth, on whatever surface, comes out finite, and not far beyond the values that there are.
+void anything_can_be_taken_for_smooth()
+{
+  std::vector<std::pair<const char*, Mesh>> inputs;
+  inputs.emplace_back("cube", meshes::to_mesh<Mesh>(meshes::cube(3)));
+  inputs.emplace_back("cube with caps", meshes::to_mesh<Mesh>(meshes::cube_with_caps(3)));
+  inputs.emplace_back("tetrahedron", meshes::to_mesh<Mesh>(meshes::tetrahedron()));
+  inputs.emplace_back("octahedron", meshes::to_mesh<Mesh>(meshes::octahedron()));
+  inputs.emplace_back("one square", meshes::to_mesh<Mesh>(meshes::square(1)));
+  inputs.emplace_back("wall", meshes::to_mesh<Mesh>(meshes::turned(meshes::wall_with_round_ends(), 24, true)));
+  for(auto& [name, m] : inputs)
+  {
+    const auto value = m.add_property_map<Vertex, double>("v:value", 0).first;
+    const auto height = m.add_property_map<Vertex, double>("v:height", 0).first;
+    std::mt19937 random(3);
+    for(const Vertex v : m.vertices())
+    {
+      value[v] = std::uniform_real_distribution<>(-1, 1)(random);
+      height[v] = m.point(v).z();
+    }
+    IAR::Attribute_transfer<Mesh> transfer;
+    transfer.add_smooth_vertex_map(value, m);
+    transfer.add_smooth_vertex_map(height, m);
+    IAR::isotropic_remeshing(.4 * mean_edge_length(m), m, parameters::visitor(transfer));
+    for(const Vertex v : m.vertices())
+    {
+      CHECK_MESSAGE(std::abs(value[v]) <= 3, name << ": " << value[v]);
+      CHECK_MESSAGE(std::isfinite(height[v]), name << ": " << height[v]);
+    }
+  }
+}
+
 // Linear functions of the position are carried over as exactly as the result lies on the input: in the plane, to rounding.
 void linear_functions_are_kept()
 {
@@ -998,6 +1093,9 @@ int main()
   bad_lengths_are_refused();
   curves_follow_the_field();
   scalars_are_interpolated();
+  smooth_functions_do_not_wear_off();
+  quadratic_functions_are_kept();
+  anything_can_be_taken_for_smooth();
   linear_functions_are_kept();
   faces_and_kept_vertices();
   faces_are_those_at_the_centroids();

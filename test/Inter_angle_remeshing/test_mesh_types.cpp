@@ -368,13 +368,16 @@ public:
     return report;
   }
 
-  // Of a square whose halves are two patches: vertices carry their x, corners that of their vertex and the number of their half.
+  // Of a square whose halves are two patches: vertices carry their x and its square, corners the x of their vertex and the number of their half.
   void carry_attributes(double length)
   {
-    Table<Vertex, double> of_vertex;
+    Table<Vertex, double> of_vertex, smooth;
     Table<Halfedge_of<Graph>, double> of_corner;
     for(const Vertex v : vertices(g_))
+    {
       put(of_vertex, v, position(v)[0]);
+      put(smooth, v, CGAL::square(position(v)[0]));
+    }
     for(const Face f : faces(g_))
     {
       put(patches_, f, centroid(f)[0] < .5 ? 1 : 2);
@@ -383,6 +386,10 @@ public:
     }
     IAR::Attribute_transfer<Graph> transfer;
     transfer.add_vertex_map(of_vertex);
+    if constexpr(HAS_OWN_POINTS)
+      transfer.add_smooth_vertex_map(smooth, g_);
+    else
+      transfer.add_smooth_vertex_map(smooth, g_, parameters::vertex_point_map(points_));
     transfer.add_corner_map(of_corner);
     transfer.add_face_map(patches_);
     Marks<Edge_of<Graph>> seams;
@@ -394,7 +401,10 @@ public:
       IAR::isotropic_remeshing(length, g_, np.vertex_point_map(points_));
     check_validity();
     for(const Vertex v : vertices(g_))
+    {
       CHECK(std::abs(get(of_vertex, v) - position(v)[0]) < 1e-6);
+      CHECK(std::abs(get(smooth, v) - CGAL::square(position(v)[0])) < 1e-5);
+    }
     for(const Face f : faces(g_))
     {
       CHECK(get(patches_, f) == (centroid(f)[0] < .5 ? 1 : 2));

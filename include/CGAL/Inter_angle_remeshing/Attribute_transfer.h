@@ -6,9 +6,12 @@
 #define CGAL_INTER_ANGLE_REMESHING_ATTRIBUTE_TRANSFER_H
 
 #include <CGAL/Inter_angle_remeshing/Default_visitor.h>
+#include <CGAL/Inter_angle_remeshing/internal/Quadratic_weights.h>
 #include <CGAL/Inter_angle_remeshing/internal/linear_combination.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -76,6 +79,7 @@ them.
 \code
 Attribute_transfer<Mesh> transfer;
 transfer.add_vertex_map(colours);
+transfer.add_smooth_vertex_map(temperatures, mesh);
 transfer.add_face_map(materials);
 isotropic_remeshing(faces(mesh), 0.02, mesh, parameters::visitor(transfer));
 \endcode
@@ -118,7 +122,38 @@ public:
   template <class VertexMap, class Interpolation = Linear_interpolation>
   void add_vertex_map(VertexMap map, Interpolation interpolation = Interpolation())
   {
-    vertex_maps_.push_back(std::make_shared<Carrier<vertex_descriptor, VertexMap, Interpolation>>(map, std::move(interpolation)));
+    using Evaluation = At_corners<Interpolation>;
+    vertex_maps_.push_back(std::make_shared<Carrier<vertex_descriptor, VertexMap, Evaluation>>(map, Evaluation{std::move(interpolation)}));
+  }
+
+  /// adds an attribute of the vertices that is a smooth function on the surface, as a temperature or a displacement is.
+  ///
+  /// It is interpolated by quadratics, whose gradients at the corners of a face are fitted to the values around these: far nearer than
+  /// linearly, and what is carried over again and again does not wear off. Values between those at the corners are not promised: an
+  /// extremum between vertices comes out higher, and by a jump some values are beyond both sides. Where the surface is not smooth (at a
+  /// vertex with a face that is turned by more than 60 degrees from its normal) or its faces are too thin, interpolation is linear.
+  /// @tparam VertexMap a class model of `ReadWritePropertyMap` with the vertices of `TriangleMesh` as key type and a type of values that
+  ///         `Linear_interpolation` can interpolate
+  /// @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+  /// @param map the attribute
+  /// @param tmesh the mesh that is to be remeshed; it must outlive the transfer's use
+  /// @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{vertex_point_map}
+  ///     \cgalParamDescription{a property map that associates points to the vertices of `tmesh`}
+  ///     \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type
+  ///                    and `%Point_3` as value type}
+  ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  template <class VertexMap, class NamedParameters = parameters::Default_named_parameters>
+  void add_smooth_vertex_map(VertexMap map, const TriangleMesh& tmesh, const NamedParameters& np = parameters::default_values())
+  {
+    const auto vpm = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                  get_const_property_map(CGAL::vertex_point, tmesh));
+    using Evaluation = Around_corners<internal::Quadratic_weights<TriangleMesh, std::decay_t<decltype(vpm)>>>;
+    vertex_maps_.push_back(std::make_shared<Carrier<vertex_descriptor, VertexMap, Evaluation>>(map, Evaluation{{tmesh, vpm}}));
   }
 
   /// adds an attribute of the corners.
@@ -128,7 +163,8 @@ public:
   template <class HalfedgeMap, class Interpolation = Linear_interpolation>
   void add_corner_map(HalfedgeMap map, Interpolation interpolation = Interpolation())
   {
-    corner_maps_.push_back(std::make_shared<Corner_carrier<HalfedgeMap, Interpolation>>(map, std::move(interpolation)));
+    using Evaluation = At_corners<Interpolation>;
+    corner_maps_.push_back(std::make_shared<Corner_carrier<HalfedgeMap, Evaluation>>(map, Evaluation{std::move(interpolation)}));
   }
 
   /// marks the edges at which an attribute of corners that was added has other values on one side than on the other one. Handed over
@@ -157,7 +193,8 @@ public:
   template <class FaceMap>
   void add_face_map(FaceMap map)
   {
-    face_maps_.push_back(std::make_shared<Carrier<face_descriptor, FaceMap, Nearest_value>>(map, Nearest_value()));
+    using Evaluation = At_corners<Nearest_value>;
+    face_maps_.push_back(std::make_shared<Carrier<face_descriptor, FaceMap, Evaluation>>(map, Evaluation()));
   }
 
   /// \name Called by the remesher
@@ -196,7 +233,36 @@ public:
   /// @}
 
 private:
-  // What is interpolated between three elements; of a face, which stands for all three, it is taken as it is.
+  // The value between three elements, by a functor of theirs.
+  template <class Interpolation>
+  struct At_corners
+  {
+    Interpolation interpolation;
+
+    template <class Map, class Element>
+    auto operator()(const Map& map, const std::array<Element, 3>& corners, const std::array<double, 3>& coordinates)
+    {
+      using Value = typename boost::property_traits<Map>::value_type;
+      return interpolation(std::array<Value, 3>{get(map, corners[0]), get(map, corners[1]), get(map, corners[2])}, coordinates);
+    }
+  };
+
+  // The value between three elements, from theirs and those around.
+  template <class Weights>
+  struct Around_corners
+  {
+    Weights weights;
+
+    template <class Map, class Element>
+    auto operator()(const Map& map, const std::array<Element, 3>& corners, const std::array<double, 3>& coordinates)
+    {
+      const auto& terms = weights.at(corners, coordinates);
+      return internal::linear_combination<typename boost::property_traits<Map>::value_type>(
+        terms.size(), [&](std::size_t i) { return get(map, terms[i].first); }, [&](std::size_t i) { return terms[i].second; });
+    }
+  };
+
+  // What is evaluated between three elements; of a face, which stands for all three, it is taken as it is.
   template <class Element>
   struct Carrier_base
   {
@@ -225,19 +291,15 @@ private:
     std::deque<Value> values_;                   // whose elements are bools, too, can be referred to
   };
 
-  template <class Element, class Map, class Interpolation, class Base = Carrier_base<Element>>
+  template <class Element, class Map, class Evaluation, class Base = Carrier_base<Element>>
   class Carrier : public Base
   {
-    using Value = typename boost::property_traits<Map>::value_type;
-
   public:
-    Carrier(Map map, Interpolation interpolation) : map_(map), interpolation_(std::move(interpolation)) {}
+    Carrier(Map map, Evaluation evaluation) : map_(map), evaluation_(std::move(evaluation)) {}
     void read(std::size_t i, const std::array<Element, 3>& corners, const std::array<double, 3>& coordinates) override
     {
       if (coordinates[0] == 1) values_.set(i, get(map_, corners[0]));
-      else
-        values_.set(i, interpolation_(std::array<Value, 3>{get(map_, corners[0]), get(map_, corners[1]), get(map_, corners[2])},
-                                      coordinates));
+      else values_.set(i, evaluation_(map_, corners, coordinates));
     }
     void write(std::size_t i, Element e) override { put(map_, e, values_.get(i)); }
 
@@ -245,14 +307,14 @@ private:
     Map map_;
 
   private:
-    Interpolation interpolation_;
-    Values<Value> values_;
+    Evaluation evaluation_;
+    Values<typename boost::property_traits<Map>::value_type> values_;
   };
 
-  template <class Map, class Interpolation>
-  struct Corner_carrier final : Carrier<halfedge_descriptor, Map, Interpolation, Corner_carrier_base>
+  template <class Map, class Evaluation>
+  struct Corner_carrier final : Carrier<halfedge_descriptor, Map, Evaluation, Corner_carrier_base>
   {
-    using Carrier<halfedge_descriptor, Map, Interpolation, Corner_carrier_base>::Carrier;
+    using Carrier<halfedge_descriptor, Map, Evaluation, Corner_carrier_base>::Carrier;
     bool differs(halfedge_descriptor h, halfedge_descriptor g) const override
     {
       return !(get(this->map_, h) == get(this->map_, g));

@@ -9,7 +9,6 @@
 #include <CGAL/Inter_angle_remeshing/internal/Vector3.h>
 #include <CGAL/Inter_angle_remeshing/internal/power_of_two_unit.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
-#include <CGAL/Inter_angle_remeshing/internal/sector_fit.h>
 #include <CGAL/Inter_angle_remeshing/internal/to_vector3.h>
 
 #include <Eigen/Cholesky>

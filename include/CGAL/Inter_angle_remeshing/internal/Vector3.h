@@ -56,6 +56,14 @@ inline Vector3 unit(const Vector3& u)
   return l > 0 ? (1 / l) * u : Vector3();
 }
 
+// Two unit vectors that make an orthonormal frame with the unit vector n (T. Duff et al., JCGT 6(1), 2017).
+inline void complete_frame(const Vector3& n, Vector3& t1, Vector3& t2)
+{
+  const double sign = std::copysign(1., n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
+  t1 = {1 + sign * n.x * n.x * a, sign * b, -sign * n.x};
+  t2 = {b, sign + n.y * n.y * a, -n.y};
+}
+
 // Whether the angle between u and v is under 90 degrees and its cosine at least `cosine` (>= 0).
 // Products are compared: no root, and a zero vector fails.
 inline bool is_cosine_at_least(const Vector3& u, const Vector3& v, double cosine)

@@ -8,7 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Mls_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/Reference_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/curves.h>
-#include <CGAL/Inter_angle_remeshing/internal/sector_fit.h>
+#include <CGAL/Inter_angle_remeshing/internal/solve_by_cholesky.h>
 
 #include <CGAL/number_type_config.h>
 

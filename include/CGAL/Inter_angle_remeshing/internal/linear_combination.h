@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <utility>
 
-// Sums of three values with coefficients that add up to 1.
+// Sums of values with coefficients that add up to 1.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -31,27 +31,41 @@ struct Is_point<Value, std::void_t<decltype(Value(CGAL::ORIGIN + 1. * (std::decl
   : std::true_type {};
 
 template <class Value>
-Value linear_combination(const std::array<Value, 3>& values, const std::array<double, 3>& coefficients)
+struct Array_size : std::integral_constant<std::size_t, 0> {};
+template <class Number, std::size_t N>
+struct Array_size<std::array<Number, N>> : std::integral_constant<std::size_t, N> {};
+
+// Sums up the values of `value(i)`, i < n, of type Value, each times `coefficient(i)`; n > 0.
+template <class Value, class Get, class Coefficient>
+Value linear_combination(std::size_t n, const Get& value, const Coefficient& coefficient)
 {
-  if constexpr (Is_linear<Value>::value)
-    return Value(coefficients[0] * values[0] + coefficients[1] * values[1] + coefficients[2] * values[2]);
+  if constexpr (Array_size<Value>::value > 0) {
+    Value result;
+    for (std::size_t k = 0; k < result.size(); ++k)
+      result[k] = linear_combination<typename Value::value_type>(n, [&](std::size_t i) { return value(i)[k]; }, coefficient);
+    return result;
+  }
+  else if constexpr (Is_linear<Value>::value) {
+    using Sum = std::conditional_t<std::is_floating_point<Value>::value, decltype(1. * std::declval<Value>()), Value>;
+    Sum sum(coefficient(0) * value(0));
+    for (std::size_t i = 1; i < n; ++i) sum = Sum(sum + coefficient(i) * value(i));
+    return Value(sum);
+  }
   else {
     static_assert(Is_point<Value>::value,
                   "Attribute_transfer: values of this type cannot be interpolated linearly. Hand over a functor `Value operator()"
                   "(const std::array<Value, 3>&, const std::array<double, 3>&) const`, or `Nearest_value()` for ids and labels.");
-    return Value(CGAL::ORIGIN + (coefficients[0] * (values[0] - CGAL::ORIGIN) + coefficients[1] * (values[1] - CGAL::ORIGIN) +
-                                 coefficients[2] * (values[2] - CGAL::ORIGIN)));
+    auto sum = coefficient(0) * (value(0) - CGAL::ORIGIN);
+    for (std::size_t i = 1; i < n; ++i) sum = sum + coefficient(i) * (value(i) - CGAL::ORIGIN);
+    return Value(CGAL::ORIGIN + sum);
   }
 }
 
-template <class Number, std::size_t N>
-std::array<Number, N> linear_combination(const std::array<std::array<Number, N>, 3>& values,
-                                         const std::array<double, 3>& coefficients)
+template <class Value>
+Value linear_combination(const std::array<Value, 3>& values, const std::array<double, 3>& coefficients)
 {
-  std::array<Number, N> result;
-  for (std::size_t i = 0; i < N; ++i)
-    result[i] = linear_combination(std::array<Number, 3>{values[0][i], values[1][i], values[2][i]}, coefficients);
-  return result;
+  return linear_combination<Value>(3, [&](std::size_t i) -> const Value& { return values[i]; },
+                                   [&](std::size_t i) { return coefficients[i]; });
 }
 
 } // namespace internal

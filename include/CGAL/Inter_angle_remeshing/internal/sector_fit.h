@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SECTOR_FIT_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Vector3.h>
+#include <CGAL/Inter_angle_remeshing/internal/solve_by_cholesky.h>
 
 #include <array>
 #include <cmath>
@@ -17,42 +18,6 @@
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
-
-// Solves A x = b by the factorisation A = L Lᵀ, in place; false where A is not positive definite. The lower triangle of A
-// is read.
-template <std::size_t N>
-bool solve_by_cholesky(std::array<std::array<double, N>, N>& a, std::array<double, N>& b)
-{
-  for (std::size_t j = 0; j < N; ++j) {
-    double pivot = a[j][j];
-    for (std::size_t k = 0; k < j; ++k) pivot -= a[j][k] * a[j][k];
-    if (!(pivot > 0)) return false;
-    const double inverse = 1 / std::sqrt(pivot);
-    a[j][j] = inverse;
-    for (std::size_t i = j + 1; i < N; ++i) {
-      double sum = a[i][j];
-      for (std::size_t k = 0; k < j; ++k) sum -= a[i][k] * a[j][k];
-      a[i][j] = sum * inverse;
-    }
-  }
-  for (std::size_t i = 0; i < N; ++i) {
-    for (std::size_t k = 0; k < i; ++k) b[i] -= a[i][k] * b[k];
-    b[i] *= a[i][i];
-  }
-  for (std::size_t i = N; i-- > 0;) {
-    for (std::size_t k = i + 1; k < N; ++k) b[i] -= a[k][i] * b[k];
-    b[i] *= a[i][i];
-  }
-  return true;
-}
-
-// Two unit vectors that make an orthonormal frame with the unit vector n (T. Duff et al., JCGT 6(1), 2017).
-inline void complete_frame(const Vector3& n, Vector3& t1, Vector3& t2)
-{
-  const double sign = std::copysign(1., n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
-  t1 = {1 + sign * n.x * n.x * a, sign * b, -sign * n.x};
-  t2 = {b, sign + n.y * n.y * a, -n.y};
-}
 
 // The normal at the origin of `offsets`, the neighbors' positions relative to the vertex. `start` is a unit normal to
 // begin with, `scale` the mean distance to the first neighbors.
