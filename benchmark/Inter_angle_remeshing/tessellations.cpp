@@ -102,6 +102,26 @@ Mesh grid(std::size_t n, double height)
   return mesh;
 }
 
+// A torus of the radii 3 and 1, 120 by 40 quadrangles, all cut the same way.
+Mesh torus()
+{
+  constexpr std::size_t ALONG = 120, AROUND = 40;
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for (std::size_t i = 0; i < ALONG; ++i)
+    for (std::size_t j = 0; j < AROUND; ++j) {
+      const double a = 2 * CGAL_PI * double(i) / double(ALONG), b = 2 * CGAL_PI * double(j) / double(AROUND), r = 3 + std::cos(b);
+      v.push_back(mesh.add_vertex(Kernel::Point_3(r * std::cos(a), r * std::sin(a), std::sin(b))));
+    }
+  for (std::size_t i = 0; i < ALONG; ++i)
+    for (std::size_t j = 0; j < AROUND; ++j) {
+      const std::size_t k = (i + 1) % ALONG, l = (j + 1) % AROUND;
+      mesh.add_face(v[i * AROUND + j], v[k * AROUND + j], v[k * AROUND + l]);
+      mesh.add_face(v[i * AROUND + j], v[k * AROUND + l], v[i * AROUND + l]);
+    }
+  return mesh;
+}
+
 // 40 by 40 cells with scattered corners, cut at random, under a block of 16 by 16 cells: its wall is one face high and goes in and out.
 Mesh terrain(double height)
 {
@@ -312,6 +332,7 @@ int main(int argc, char* argv[])
   for (const double height : {0., .2})
     for (const std::size_t wanted : {11400, 17800, 285000})
       compare({height > 0 ? "wavy grid, 100 by 100" : "flat grid, 100 by 100", grid(100, height)}, wanted, pairs);
+  for (const std::size_t wanted : {7000, 8400, 34000}) compare({"torus, 120 by 40", torus()}, wanted, pairs);
   std::printf("\n");
   print_head();
   for (const double height : {6., 12.})

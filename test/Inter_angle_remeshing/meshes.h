@@ -284,6 +284,52 @@ inline Profile wall_with_round_ends()
   return joined(arc(.9, 6, .1, 0, 1, 12), arc(.9, 0, .1, 1, 2, 12));
 }
 
+// An extruded rectangle of these half sizes whose corners are rounded by n facets, and its edges by fillets of `facets` facets; the caps
+// are fans, as in a file for printing.
+struct Slab
+{
+  double width, height, thickness, corner_radius;
+  int n;
+  double fillet_radius;
+  int facets;
+};
+
+inline Soup slab(const Slab& s)
+{
+  Soup soup;
+  Profile fillets = arc(s.fillet_radius, s.fillet_radius - s.thickness / 2, s.fillet_radius, 1.5, 1, s.facets);
+  for(const auto& [inset, z] : Profile(fillets.rbegin(), fillets.rend()))
+    fillets.push_back({inset, -z});
+  std::size_t around = 0;
+  for(const auto& [inset, z] : fillets)
+  {
+    Profile outline;
+    for(int quarter = 0; quarter < 4; ++quarter)
+    {
+      const double x = s.width - s.corner_radius, y = s.height - s.corner_radius;
+      outline = joined(outline, arc(quarter == 0 || quarter == 3 ? x : -x, quarter < 2 ? y : -y, s.corner_radius - inset, quarter / 2.,
+                                    (quarter + 1) / 2., s.n));
+    }
+    around = outline.size();
+    for(const auto& [x, y] : outline)
+      soup.points.push_back({x, y, z});
+  }
+  const std::size_t last = (fillets.size() - 1) * around;
+  for(std::size_t i = 0; i < last; i += around)
+    for(std::size_t j = 0; j < around; ++j)
+    {
+      const std::size_t a = i + j, b = i + (j + 1) % around;
+      soup.faces.push_back({a, b, b + around});
+      soup.faces.push_back({a, b + around, a + around});
+    }
+  for(std::size_t j = 1; j + 1 < around; ++j)
+  {
+    soup.faces.push_back({0, j + 1, j});
+    soup.faces.push_back({last, last + j, last + j + 1});
+  }
+  return soup;
+}
+
 // A profile turned around the z axis in n steps, the outer side to the right of their order: faces as long as the profile's
 // edges. A profile that is not closed ends in fans from one vertex.
 inline Soup turned(const Profile& profile, std::size_t n, bool is_closed)

@@ -657,6 +657,22 @@ void regular_grids_are_stirred_up()
   }
 }
 
+// A grid whose quadrangles are long on one side and short on the other: its edges are collapsed, although that makes some that are too long.
+void grids_are_broken_up()
+{
+  const Mesh torus = meshes::is_small_run() ? meshes::to_mesh<Mesh>(meshes::torus(60, 20, 1 / 3.))
+                                            : meshes::to_mesh<Mesh>(meshes::torus(120, 40, 1 / 3.));
+  for(const double factor : {.55, .9, 1., 1.1})
+  {
+    Mesh m = torus;
+    const auto report = IAR::isotropic_remeshing(factor * mean_edge_length(torus), m);
+    const auto statistics = IAR::inter_angle_statistics(m);
+    CHECK_MESSAGE(statistics.average > 55, factor << ": " << statistics.average);
+    CHECK_MESSAGE(report.band_holds, factor << ": " << statistics.minimum_angle << " to " << statistics.maximum_angle);
+    CHECK_MESSAGE(double(m.number_of_faces()) < 1.1 * double(torus.number_of_faces()) / (factor * factor), factor << ": " << m.number_of_faces());
+  }
+}
+
 // The apexes of a double cone of a few long facets, from which steps of the first iterations would slip off by many target lengths.
 void apexes_of_coarse_cones_stay()
 {
@@ -1347,6 +1363,23 @@ IAR::Recipe with_levels(bool multi_level)
   return r;
 }
 
+// Corners whose radius is about the edge length of a coarser level, which bites them off where hardly a vertex lies on their fillets.
+void coarser_levels_lose_no_corners()
+{
+  for(const meshes::Slab& s : {meshes::Slab{1.5, 3, .54, .6, 8, .12, 3}, meshes::Slab{1.5, 3, .54, .3, 5, .2, 4}})
+    for(const double length : {.1346, .14, .0748})
+    {
+      const Mesh input = meshes::to_mesh<Mesh>(meshes::slab(s));
+      if(meshes::is_small_run() && length < .1)
+        continue;
+      Mesh m = input;
+      const auto report = IAR::isotropic_remeshing(length, m);
+      const double distance = invariants::surface_distance(input, m).hausdorff() / length;
+      CHECK_MESSAGE(distance < .5, s.corner_radius << ", " << length << ": " << distance);
+      CHECK_MESSAGE(report.band_holds, s.corner_radius << ", " << length);
+    }
+}
+
 // From a coarser level, the irregular vertices are those of a mesh with a quarter or a sixteenth of the faces: on the target
 // length alone, seven in a hundred are left, whatever the length.
 constexpr double REGULAR_FROM_LEVELS = 95, REGULAR_DIRECTLY = 94;
@@ -1486,6 +1519,7 @@ int main(int argc, char* argv[])
   small_crossings_of_the_input_are_parted();
   boxes_that_touch_each_other_stay_boxes();
   regular_grids_are_stirred_up();
+  grids_are_broken_up();
   apexes_of_coarse_cones_stay();
   tips_are_not_worn_off_by_what_mends_angles();
   a_few_iterations_are_enough_for_needles_and_long_facets();
@@ -1499,6 +1533,7 @@ int main(int argc, char* argv[])
   angles_are_better_than_those_of_polygon_mesh_processing();
   random_meshes_keep_what_they_must();
   fine_targets_are_reached_from_coarser_levels();
+  coarser_levels_lose_no_corners();
   levels_are_left_out_where_they_are_not_wanted();
   a_run_cancelled_before_its_finest_level_changes_nothing();
   return result();

@@ -11,6 +11,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/Run_clock.h>
 #include <CGAL/Inter_angle_remeshing/internal/curve_edges.h>
+#include <CGAL/Inter_angle_remeshing/internal/lost_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/repair_pass.h>
 
 #include <cmath>
@@ -44,6 +45,8 @@ public:
     passes_.measure_grading();
     mend_valences();
     if (passes_.goes_on() && clock_.levels() > 0) mend_spots();
+    is_given_up_ = leaves_poor_spots_ && loses_surface(context_);
+    if (is_given_up_) return;
     passes_.release_crests();
     context_.kept_places.note(mesh_);
     mend_faces();
@@ -67,9 +70,11 @@ public:
   bool is_fitted() const { return is_fitted_; }
   // Whether the spots' own iterations did not get the better of some.
   bool leaves_poor_spots() const { return leaves_poor_spots_; }
+  // Whether these are those of a surface of which something is lost.
+  bool is_given_up() const { return is_given_up_; }
   void mend_spots() { leaves_poor_spots_ = !passes_.mend_spots(); }
 
-  void begin_anew() { is_fitted_ = leaves_poor_spots_ = false; }
+  void begin_anew() { is_fitted_ = leaves_poor_spots_ = is_given_up_ = false; }
 
 private:
   bool misses_face_count() const
@@ -98,7 +103,7 @@ private:
   Run_clock& clock_;
   Remeshing_report& report_;
   Pass_runner<ConcurrencyTag>& passes_;
-  bool is_fitted_ = false, leaves_poor_spots_ = false;
+  bool is_fitted_ = false, leaves_poor_spots_ = false, is_given_up_ = false;
 };
 
 } // namespace internal

@@ -14,6 +14,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Schedule.h>
 #include <CGAL/Inter_angle_remeshing/internal/angle_bands.h>
 #include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
+#include <CGAL/Inter_angle_remeshing/internal/skew_grid.h>
 #include <CGAL/Inter_angle_remeshing/internal/space_filling_order.h>
 
 #include <algorithm>
@@ -41,6 +42,10 @@ class Iterations
   // dense, by collapses for 1.25 of the length. Hardly anything: one operation for so many faces; many: this part of the faces.
   static constexpr std::size_t HARDLY_MOVING = 100;
   static constexpr double SKEWED = 0.1, STIRRED_BY_SPLITS = 0.9, STIRRED_BY_COLLAPSES = 1.25;
+  // A skew grid is broken up from this iteration on, as long as it is one: its short edges, which it could not do without, are collapsed
+  // although that makes edges so many times as long as they may be.
+  static constexpr unsigned FIRST_GRID = 3;
+  static constexpr double GRID_REACH = 1.3;
   // A mesh of more than so many times the faces that its area asks for is coarsened in up to so many rounds, as long as each leaves
   // less than this part of the faces.
   static constexpr double TOO_DENSE = 1.5, COARSENED = 0.97;
@@ -77,6 +82,7 @@ public:
     context_.spike_factor = 1;
     operations_in_order_ = 0;
     is_stirred_up_ = false;
+    may_be_grid_ = true;
     is_only_split_ = true;
   }
 
@@ -98,7 +104,10 @@ private:
     }
     const std::size_t done = number_of_operations() - operations, faces = mesh_.number_of_live_faces();
     if (passes_.goes_on() && !context_.keeps_vertices && !clock_.is_late()) {
-      if (!is_stirred_up_ && done <= faces / HARDLY_MOVING && is_skewed()) stir_up();
+      const bool is_grid = may_be_grid_ && clock_.iterations() >= FIRST_GRID && is_skew_grid(mesh_);
+      may_be_grid_ = is_grid || clock_.iterations() < FIRST_GRID;
+      if (is_grid) break_grid_up();
+      else if (!is_stirred_up_ && done <= faces / HARDLY_MOVING && is_skewed()) stir_up();
       else if (done <= faces / SETTLED) clock_.hurry();
     }
     context_.visitor.end_iteration(clock_.iterations(), mesh_);
@@ -120,14 +129,23 @@ private:
                   is_pulled_back ? Pull_back::after_last_sweep : Pull_back::never);
   }
 
-  // Whether many faces are out of their bands. Where hardly an operation is left to do, they are those of a grid of edges of nearly
-  // the target length: all of its vertices are regular, and at the centres of their neighbors, however skew its faces are.
+  // Whether many faces are out of their bands: where hardly an operation is left to do, those of a grid.
   bool is_skewed() const
   {
     const Angle_bands bands(recipe_);
     std::size_t skewed = 0;
     for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f) skewed += mesh_.is_face(f) && !holds_band(mesh_, bands, f);
     return double(skewed) > SKEWED * double(mesh_.number_of_live_faces());
+  }
+
+  void break_grid_up()
+  {
+    const std::size_t operations = number_of_operations();
+    context_.collapse_reach = GRID_REACH;
+    passes_.split_and_collapse();
+    context_.collapse_reach = 1;
+    may_be_grid_ = number_of_operations() > operations;
+    even_out();
   }
 
   // What is split or collapsed for another length, once, the next iterations take back at other places.
@@ -233,6 +251,7 @@ private:
   Remeshing_report& report_;
   Pass_runner<ConcurrencyTag>& passes_;
   bool is_stirred_up_ = false;           // once only
+  bool may_be_grid_ = true;              // until the mesh is found to be none, or none that can be broken up
   bool is_only_split_ = true;            // as long as edges are far too long
   std::size_t operations_in_order_ = 0;  // splits and collapses before the last ordering
 };

@@ -104,14 +104,14 @@ private:
     return false;
   }
 
-  // Returns false, with everything as it was before, where that has left faces, crossings, or distances from curves, that the direct
-  // way would hardly leave.
+  // Returns false, with everything as it was before, where that has left faces, crossings, or distances from curves or corners, that
+  // the direct way would hardly leave.
   bool succeeds_from_coarsest_level()
   {
     const Remeshing_mesh input = mesh_;
     const double target_length = context_.target_length;
     run_from_coarsest_level();
-    const bool is_poor = goes_on() && (!is_at_finest_level() || leaves_curves<ConcurrencyTag>(context_) ||
+    const bool is_poor = goes_on() && (!is_at_finest_level() || clean_up_.is_given_up() || leaves_curves<ConcurrencyTag>(context_) ||
                                        (clean_up_.leaves_poor_spots() && has_poor_faces<ConcurrencyTag>(context_)));
     if (!is_poor && is_at_finest_level()) return true;
     mesh_ = input;

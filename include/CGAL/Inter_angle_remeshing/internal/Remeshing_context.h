@@ -54,6 +54,7 @@ struct Remeshing_context
   double grading_rate = 0;             // at curves; 0: their short edges do not lower the target length
   double noise = 0;                    // of the input, beside the target length; 0: it is clean
   double spike_factor = 1;             // how many times as far as Recipe::collapse_tolerance says a collapse may reach
+  double collapse_reach = 1;           // how many times as long as splits leave edges those may be that collapses make
   const Input_locator* locator = nullptr;  // null where nobody asks for places
   Grading grading;
   Kept_places kept_places;             // while faces and angles are mended

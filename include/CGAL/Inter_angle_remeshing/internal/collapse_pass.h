@@ -33,6 +33,7 @@ struct Collapse_limits
   double squared_length;       // of a new edge
   double squared_tolerance;    // distance from the removed vertex to what replaces its star
   int valence;                 // of the merged vertex
+  double reach = 1;            // off the curves a new edge may be so many times as long
 };
 
 // A merged vertex of a higher valence costs more regularity than flips can mend in an iteration.
@@ -56,11 +57,12 @@ inline bool has_short_edges_after_collapse(const Remeshing_mesh& mesh, Remeshing
   const Vector3& q = mesh.position(b);
   const bool is_on_curve = mesh.is_on_curve(a),
              is_tiny = squared_distance(mesh.position(a), q) < SQUARED_TINY * limits.squared_length;
+  const double squared_reach = is_on_curve ? 1. : limits.reach * limits.reach;
   const auto is_short = [&](Index k) {
     const Index c = mesh.target(k);
     const double part = is_on_curve ? grading.field_part(b, c) : grading.is_uniform() ? 1. : grading.part(b, c);
     const double l = squared_distance(q, mesh.position(c));
-    return l <= part * part * limits.squared_length ||
+    return l <= part * part * squared_reach * limits.squared_length ||
            (is_tiny && l <= SQUARED_YIELD * part * part * limits.squared_length &&
             l <= squared_distance(mesh.position(a), mesh.position(c)));
   };
@@ -205,7 +207,8 @@ std::size_t collapse_pass(Remeshing_context& context, std::vector<Remeshing_mesh
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
-  const Collapse_limits limits{context.squared_length_limit(), CGAL::square(context.collapse_tolerance()), MAXIMUM_MERGED_VALENCE};
+  const Collapse_limits limits{context.squared_length_limit(), CGAL::square(context.collapse_tolerance()), MAXIMUM_MERGED_VALENCE,
+                               context.collapse_reach};
   const auto is_too_short = [&](Index h) {
     return mesh.has_place(h) ? is_too_short_on_curve(context, h)
                              : mesh.squared_edge_length(h) < context.squared_shortness_limit(mesh.origin(h), mesh.target(h));
