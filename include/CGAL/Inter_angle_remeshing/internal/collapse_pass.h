@@ -100,6 +100,10 @@ inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h,
 // Smallest angle that a collapse may leave where a curve is near, unless it was smaller before: 15 degrees, as the square
 // of the sine.
 constexpr double COLLAPSED_SQUARED_SINE = 0.0669872981077807;
+// Where all neighbors lie on curves, and the edge is shorter than this part of the longest new one, about .4 target lengths, it may become
+// smaller by this factor: along two curves with vertices close together, as of a bar with many rings, each collapse on one makes the
+// needles between them a little thinner, until the other one follows.
+constexpr double SQUARED_MUCH_TOO_SHORT = 0.09, SQUARED_YIELDING_SINE = 0.25;
 
 // Whether h leads to a curve, or one touches the star of its source.
 inline bool is_near_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
@@ -109,12 +113,14 @@ inline bool is_near_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 }
 
 // Whether faces beside a curve stay fit when the source of h is merged into its target.
-inline bool keeps_faces_at_curves(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+inline bool keeps_faces_at_curves(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Collapse_limits& limits)
 {
   using Index = Remeshing_mesh::Index;
   const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
   const Vector3 &p = mesh.position(a), &q = mesh.position(b);
   if (!is_near_curve(mesh, h)) return true;
+  const bool is_locked = mesh.is_on_curve(a) && squared_distance(p, q) < SQUARED_MUCH_TOO_SHORT * limits.squared_length &&
+                         mesh.all_around(a, [&](Index k) { return mesh.is_on_curve(mesh.target(k)) && mesh.is_on_curve(mesh.apex(k)); });
   double before = 1, after = 1;
   // Whether the edge between b and u is on a curve, once b has taken the edges of a over.
   const auto will_be_on_curve = [&](Index u, bool is_on_curve_from_a) {
@@ -136,6 +142,7 @@ inline bool keeps_faces_at_curves(const Remeshing_mesh& mesh, Remeshing_mesh::In
                is_d = will_be_on_curve(d, mesh.is_on_curve_edge(mesh.prev(k)));
     return !(is_c && is_d && is_wide(q, r, s)) && !(is_link && ((is_c && is_wide(r, q, s)) || (is_d && is_wide(s, q, r))));
   });
+  if (is_locked) before *= SQUARED_YIELDING_SINE;
   return keeps_corners && !(after < COLLAPSED_SQUARED_SINE && is_thinner(after, before));
 }
 
@@ -169,7 +176,7 @@ inline bool is_collapse_allowed(const Remeshing_context& context, Remeshing_mesh
   const Remeshing_mesh& mesh = context.mesh;
   if (mesh.is_on_curve(mesh.source(h)) && !(context.may_collapse_constraints && keeps_curve(context, h))) return false;
   return is_collapse_fit(mesh, h, context.grading, limits) && mesh.is_collapse_legal(h) &&
-         (!mesh.has_curves() || keeps_faces_at_curves(mesh, h)) && !makes_fold(context, h) && context.permits_collapse(h);
+         (!mesh.has_curves() || keeps_faces_at_curves(mesh, h, limits)) && !makes_fold(context, h) && context.permits_collapse(h);
 }
 
 // The half-edge whose source is to be merged into its target, for the edge of h; NO_COLLAPSE where neither may be.
