@@ -559,7 +559,8 @@ void creases_with_short_edges_are_coarsened()
       Mesh m = bar;
       const auto report = IAR::isotropic_remeshing(1.2 * side, m);
       CHECK_MESSAGE(report.angles_after.minimum > 25, sides << ", " << spacing << ": " << report.angles_after.minimum);
-      CHECK_MESSAGE(4 * report.output_faces < 3 * bar.number_of_faces(), sides << ", " << spacing << ": " << report.output_faces << " of " << bar.number_of_faces());
+      CHECK_MESSAGE(4 * report.output_faces < 3 * bar.number_of_faces(),
+                    sides << ", " << spacing << ": " << report.output_faces << " of " << bar.number_of_faces());
       CHECK_MESSAGE(surface_distance(bar, m).hausdorff() < .01 * side, sides << ", " << spacing);
     }
 }

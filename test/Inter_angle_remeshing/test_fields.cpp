@@ -602,6 +602,7 @@ void anything_can_be_taken_for_smooth()
   inputs.emplace_back("tetrahedron", meshes::to_mesh<Mesh>(meshes::tetrahedron()));
   inputs.emplace_back("octahedron", meshes::to_mesh<Mesh>(meshes::octahedron()));
   inputs.emplace_back("one square", meshes::to_mesh<Mesh>(meshes::square(1)));
+  inputs.emplace_back("fans", meshes::to_mesh<Mesh>(meshes::turned({{1, 0}, {1, .5}}, 200, false)));
   inputs.emplace_back("wall", meshes::to_mesh<Mesh>(meshes::turned(meshes::wall_with_round_ends(), 24, true)));
   for(auto& [name, m] : inputs)
   {

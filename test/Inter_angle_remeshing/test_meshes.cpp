@@ -669,7 +669,8 @@ void grids_are_broken_up()
     const auto statistics = IAR::inter_angle_statistics(m);
     CHECK_MESSAGE(statistics.average > 55, factor << ": " << statistics.average);
     CHECK_MESSAGE(report.band_holds, factor << ": " << statistics.minimum_angle << " to " << statistics.maximum_angle);
-    CHECK_MESSAGE(double(m.number_of_faces()) < 1.1 * double(torus.number_of_faces()) / (factor * factor), factor << ": " << m.number_of_faces());
+    CHECK_MESSAGE(double(m.number_of_faces()) < 1.1 * double(torus.number_of_faces()) / (factor * factor),
+                  factor << ": " << m.number_of_faces());
   }
 }
 

@@ -41,6 +41,8 @@ class Quadratic_weights
 
   // A quadratic polynomial without its constant has five coefficients; one value more levels out what is wrong in the others.
   static constexpr std::size_t LEAST_NEIGHBORS = 6;
+  // More neighbors are those of the hub of a fan of needles.
+  static constexpr std::size_t MOST_NEIGHBORS = 50;
   // Faces around a vertex whose normals turn by more than that from its own, 60 degrees, are no smooth surface.
   static constexpr double LEAST_COSINE = 0.5;
   // Values around a vertex count for no more than so many times theirs: an even star's for up to 4/3.
@@ -105,7 +107,7 @@ private:
   }
 
   // The vertices around v, x, with their offsets from it, and further ones around these where they are few. False where the surface
-  // is not smooth there.
+  // is not smooth there, or they are too many.
   bool find_neighbors(vertex_descriptor v, const Vector3& x, Vector3& normal)
   {
     neighbors_.clear();
@@ -113,6 +115,7 @@ private:
     crosses_.clear();
     normal = Vector3();
     for (const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh_)) {
+      if (neighbors_.size() == MOST_NEIGHBORS) return false;
       add_neighbor(source(h, tmesh_), x);
       if (CGAL::is_border(h, tmesh_)) continue;
       crosses_.push_back(cross(offset_of(target(next(h, tmesh_), tmesh_), x), offsets_.back()));
@@ -125,8 +128,11 @@ private:
     const std::size_t n = neighbors_.size();
     if (n < LEAST_NEIGHBORS)
       for (std::size_t i = 0; i < n; ++i)
-        for (const vertex_descriptor w : CGAL::vertices_around_target(neighbors_[i], tmesh_))
-          if (w != v && std::find(neighbors_.begin(), neighbors_.end(), w) == neighbors_.end()) add_neighbor(w, x);
+        for (const vertex_descriptor w : CGAL::vertices_around_target(neighbors_[i], tmesh_)) {
+          if (w == v || std::find(neighbors_.begin(), neighbors_.end(), w) != neighbors_.end()) continue;
+          if (neighbors_.size() == MOST_NEIGHBORS) return false;
+          add_neighbor(w, x);
+        }
     return true;
   }
 
