@@ -22,12 +22,12 @@ namespace internal {
 inline bool loses_surface(const Remeshing_context& context)
 {
   using Index = Remeshing_mesh::Index;
-  constexpr double FAR = 1;                      // in target lengths
+  constexpr double LARGEST_DISTANCE = 1;         // in target lengths
   if (!context.projector.is_input()) return false;
   const Remeshing_mesh& mesh = context.mesh;
   const Reference_surface& surface = *context.projector.surface;
-  const double far = FAR * context.largest_length();
-  const Vector3 reach{far, far, far};
+  const double distance = LARGEST_DISTANCE * context.largest_length();
+  const Vector3 reach{distance, distance, distance};
   Face_grid grid(mesh, context.largest_length());
   Visit_marks marks;
   std::size_t looks = 0;
@@ -36,7 +36,7 @@ inline bool loses_surface(const Remeshing_context& context)
     bool is_found = false;
     grid.for_each_near(p - reach, p + reach, marks, [&](Index f) {
       ++looks;
-      is_found = squared_distance(closest_point_on_face(mesh, p, f).point, p) < far * far;
+      is_found = squared_distance(closest_point_on_face(mesh, p, f).point, p) < distance * distance;
       return !is_found;
     });
     if (!is_found) return true;
