@@ -131,7 +131,10 @@ public:
   /// It is interpolated by quadratics, whose gradients at the corners of a face are fitted to the values around these: far nearer than
   /// linearly, and what is carried over again and again does not wear off. Values between those at the corners are not promised: an
   /// extremum between vertices comes out higher, and by a jump some values are beyond both sides. Where the surface is not smooth (at a
-  /// vertex with a face that is turned by more than 60 degrees from its normal) or its faces are too thin, interpolation is linear.
+  /// vertex with a face that is turned by more than 60 degrees from its normal), its faces are too thin, or more than 50 vertices are
+  /// around one of the corners, interpolation is linear.
+  ///
+  /// Complexity: constant for each vertex of the result. An exception from the map is passed on, as with `add_vertex_map()`.
   /// @tparam VertexMap a class model of `ReadWritePropertyMap` with the vertices of `TriangleMesh` as key type and a type of values that
   ///         `Linear_interpolation` can interpolate
   /// @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
