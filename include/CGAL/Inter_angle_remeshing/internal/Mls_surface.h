@@ -5,6 +5,7 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_MLS_SURFACE_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_MLS_SURFACE_H
 
+#include <CGAL/Inter_angle_remeshing/internal/Planar_polygons.h>
 #include <CGAL/Inter_angle_remeshing/internal/Reference_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/curves.h>
@@ -116,7 +117,7 @@ private:
   // |d| is at most this fraction of the edge. What curves at the ends of an edge says little about one that is more than this many
   // times as long as the faces beside it are large: there it falls with the square of that.
   static constexpr double STEEPEST = 0.35, LONG = 2;
-  // Faces around a vertex are uneven where one has so many times the area of another.
+  // Facets around a vertex are uneven where one has so many times the area of another.
   static constexpr double UNEVEN = 32;
 
   static Vector3 clamped(const Vector3& d, double bound)
@@ -152,6 +153,7 @@ private:
   std::vector<Index> curved_;
   std::vector<char> is_corner_;              // by vertex: of a curved face
   std::vector<char> is_on_fold_;             // by vertex
+  Planar_polygons polygons_;
   std::vector<Vector3> normals_;             // unit, by sector
   std::vector<Vector3> tangents_;            // unit, by vertex on a feature; zero at corners
 };
@@ -163,6 +165,7 @@ inline Mls_surface::Mls_surface(const Reference_surface& surface, const std::vec
   find_sizes(least_size, is_flat);
   find_features(creases);
   find_tangents();
+  if (!curved_.empty()) polygons_ = Planar_polygons(surface, [this](Index h) { return is_feature(h); });
   fit_sectors();
   find_rises();
 }
@@ -183,13 +186,8 @@ inline void Mls_surface::find_sizes(double least_size, const std::vector<char>* 
 inline bool Mls_surface::is_fold(Index h) const
 {
   const Index o = surface_->opposite(h);
-  if (o < 0) return false;
-  const auto cross_product_unless_degenerate = [&](Index f) {
-    const Vector3 c = surface_->cross_product(f);
-    return is_degenerate(c, corner(f, 0), corner(f, 1), corner(f, 2)) ? Vector3() : c;
-  };
-  const Vector3 m = cross_product_unless_degenerate(h >> 2), n = cross_product_unless_degenerate(o >> 2);
-  return m != Vector3() && n != Vector3() && !is_cosine_at_least(m, n, MLS_FOLD_COSINE);
+  return o >= 0 && !surface_->is_degenerate(h >> 2) && !surface_->is_degenerate(o >> 2) &&
+         !is_cosine_at_least(surface_->cross_product(h >> 2), surface_->cross_product(o >> 2), MLS_FOLD_COSINE);
 }
 
 inline void Mls_surface::find_features(const std::vector<Index>& creases)
@@ -274,14 +272,18 @@ inline void Mls_surface::fit_fan(Index first, std::vector<Vector3>& offsets)
 }
 
 // The larger a facet is, the less it turns from the surface, where all are as near to it: a fillet is tangent to the flats that it
-// joins, however small its facets are. So where the faces of a sector are uneven, the large ones say what the normal is, which is not
-// of unit length; else it is zero.
+// joins, however small its facets are, and however the flats are triangulated. So where the facets of a sector, planar polygons and
+// other faces, are uneven, the large ones say what the normal is, which is not of unit length; else it is zero.
 inline Vector3 Mls_surface::normal_of_uneven_sector(const std::vector<Index>& sector) const
 {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   Vector3 sum;
+  Index before = polygons_[sector.back() >> 2];
   for (const Index h : sector) {
-    const Vector3 c = surface_->cross_product(h >> 2);
+    const Index polygon = polygons_[h >> 2];
+    if (polygon >= 0 && polygon == before) continue;
+    before = polygon;
+    const Vector3 c = polygon >= 0 ? polygons_.cross_product(polygon) : surface_->cross_product(h >> 2);
     const double area = length(c);
     if (!(area > 0)) continue;
     least = (std::min)(least, area);

@@ -58,6 +58,13 @@ public:
     return triangle_cross(position_[t.vertex[0]], position_[t.vertex[1]], position_[t.vertex[2]]);
   }
 
+  // Whether face f has no normal, up to rounding.
+  bool is_degenerate(Index f) const
+  {
+    const Face& t = face_record(f);
+    return internal::is_degenerate(cross_product(f), position_[t.vertex[0]], position_[t.vertex[1]], position_[t.vertex[2]]);
+  }
+
   // The altitude of face f over its longest edge.
   double least_altitude(Index f) const
   {
