@@ -776,7 +776,7 @@ void a_few_iterations_are_enough_for_needles_and_long_facets()
 // narrow facets of the ends.
 void thin_walls_keep_their_round_ends()
 {
-  for(const auto& [facets, faces_wanted] : {std::pair<std::size_t, std::size_t>{64, 5000}, {64, 12000}, {32, 11000}, {128, 14000}})
+  for(const auto& [facets, faces_wanted] : {std::pair<std::size_t, std::size_t>{64, 6000}, {64, 12000}, {32, 11000}, {128, 14000}})
   {
     Mesh m = meshes::to_mesh<Mesh>(meshes::turned(meshes::wall_with_round_ends(), facets, true));
     const Mesh input = m;

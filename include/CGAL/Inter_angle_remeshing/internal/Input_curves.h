@@ -7,6 +7,8 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/curves.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,12 +35,15 @@ public:
   template <class Offsets>
   void bend(const Offsets& offsets);
 
-  // Whether an edge is less than this long that no collapse can make longer: from corner to corner, or one of the last three of a
-  // closed curve. What is there for the iterations alone does not count.
-  bool have_last_edges_under(double length) const
+  // Whether an edge is less than this long that no collapse can make longer: from corner to corner; or one of a closed curve, which are
+  // three or more, and whose chords, if it is a circle, lie no further from it than `tolerance`. What is there for the iterations alone
+  // does not count.
+  bool have_last_edges_under(double length, double tolerance) const
   {
     return std::any_of(curves_.begin(), curves_.end(), [&](const Curve& c) {
-      return !c.is_passing && c.length < (c.is_closed ? 3 : 1) * length; });
+      const double last_edge = c.is_closed ? (std::min)(c.length / 3, std::sqrt(4 / CGAL_PI * tolerance * c.length)) : c.length;
+      return !c.is_passing && last_edge < length;
+    });
   }
   // The point at arc length t; on a closed curve t may be any number.
   Vector3 point(Index curve, double t) const;

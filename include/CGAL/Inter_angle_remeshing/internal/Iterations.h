@@ -95,7 +95,7 @@ private:
     if (clock_.is_late() && clock_.is_at_finest_level()) passes_.release_features();
     if (clock_.iterations() > COARSENING_ITERATIONS && context_.noise > 0 && has_too_many_faces())
       context_.spike_factor = (std::min)(LARGEST_SPIKE_FACTOR, SPIKE_GROWTH * context_.spike_factor);
-    split_and_collapse();
+    split_and_collapse_in_rounds();
     if (clock_.is_late() && number_of_operations() > operations) settle_lengths();
     order_elements();
     if (clock_.is_late() || !is_only_split_) {
@@ -166,14 +166,14 @@ private:
     passes_.relax(recipe_.sweeps, Pull_back::after_last_sweep);
   }
 
-  // An iteration halves edges, and merges a vertex with few of those around it. What is far too long or far too dense even when
-  // the last iterations begin goes through as many short ones as it takes, so that those work on a mesh of about the target
-  // length. Each should halve the longest edge, or take away faces; where policies do not let it, the rounds end all the same.
+  // An iteration merges a vertex with few of those around it, and a policy may have kept edges from being split. What is far too long or
+  // far too dense even when the last iterations begin goes through as many short ones as it takes, so that those work on a mesh of about
+  // the target length. Each should halve the longest edge, or take away faces; where policies do not let it, the rounds end all the same.
   void settle_lengths()
   {
     double excess = excess_of_longest_edge();
-    for (int round = halvings(excess) + MOST_COARSENINGS;
-         round > 0 && passes_.goes_on() && (excess > FAR_TOO_LONG || is_too_dense()); --round) {
+    for (int round = most_rounds(excess); round > 0 && passes_.goes_on() && (excess > FAR_TOO_LONG || is_too_dense());
+         --round) {
       if (!(is_only_split_ && excess > VERY_FAR_TOO_LONG)) even_out();
       const std::size_t faces = mesh_.number_of_live_faces(), splits = split_and_collapse();
       if ((excess <= FAR_TOO_LONG || splits == 0) && double(mesh_.number_of_live_faces()) > COARSENED * double(faces)) return;
@@ -194,9 +194,17 @@ private:
     return wanted > 0 ? double(mesh_.number_of_live_faces()) > TOO_DENSE * double(wanted) : is_too_dense();
   }
 
-  // Splits and collapses. Returns the number of splits. As long as edges are far too long, from the first iteration on, the input's own,
-  // halved, are better than what flips and sweeps would make of them: faces that long, turned a little, cut through what lies between
+  // Splits and collapses, once, but over and over as long as edges are far too long, from the first iteration on: the input's own,
+  // halved, are better than what flips and sweeps would make of them. Faces that long, turned a little, cut through what lies between
   // them, and vertices at short edges are drawn to the far ends of long ones.
+  void split_and_collapse_in_rounds()
+  {
+    int rounds = is_only_split_ && !clock_.is_late() ? most_rounds(excess_of_longest_edge()) : 1;
+    do split_and_collapse();
+    while (--rounds > 0 && is_only_split_ && passes_.goes_on());
+  }
+
+  // Returns the number of splits.
   std::size_t split_and_collapse()
   {
     const double excess = is_only_split_ ? excess_of_longest_edge() : 0;
@@ -230,6 +238,7 @@ private:
 
   // How often an edge must be halved until it is no longer far too long.
   static int halvings(double excess) { return excess > FAR_TOO_LONG ? 1 + int(std::log2(excess)) : 0; }
+  static int most_rounds(double excess) { return halvings(excess) + MOST_COARSENINGS; }
 
   // Puts the elements in space-filling order anew when splits and collapses have left enough of them out of it. The
   // larger the mesh, the sooner that pays.

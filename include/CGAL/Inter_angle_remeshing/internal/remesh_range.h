@@ -10,6 +10,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/attribute_exchange.h>
 #include <CGAL/Inter_angle_remeshing/internal/check_recipe.h>
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
+#include <CGAL/Inter_angle_remeshing/internal/curve_edges.h>
 #include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
 #include <CGAL/Inter_angle_remeshing/internal/input_kind.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh_exchange.h>
@@ -128,7 +129,7 @@ double release_distance(const Parameters& parameters, const Input_kind& kind)
 inline bool has_details_smaller_than(double target, const Input_curves& curves, double mean_length)
 {
   constexpr double SMALL = 0.5;
-  return target > SMALL * mean_length && curves.have_last_edges_under(SMALL * target);
+  return target > SMALL * mean_length && curves.have_last_edges_under(SMALL * target, CURVE_TOLERANCE * target);
 }
 
 // What the parameters permit the passes to do. Where vertices are kept, nothing is split or collapsed.
