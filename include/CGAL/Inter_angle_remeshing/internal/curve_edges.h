@@ -27,7 +27,7 @@ constexpr double SHORTEST_BENT_EDGE = 0.6;
 // Where a face has all its vertices on curves, in a strip or a thin wall, its edge on one of these should be no longer
 // than this many times its height, nor need it be shorter than this part of the target length. Strips that are thinner than
 // this part of it are beyond help.
-constexpr double STRIP_ASPECT = 2, SHORTEST_IN_STRIP = 0.2, THINNEST_STRIP = 0.05;
+constexpr double STRIP_ASPECT = 1.6, SHORTEST_IN_STRIP = 0.2, THINNEST_STRIP = 0.05;
 
 // Two curves that meet at less than 30 degrees: the cosine.
 constexpr double ACUTE_CORNER_COSINE = 0.866025403784439;
