@@ -772,6 +772,34 @@ void a_few_iterations_are_enough_for_needles_and_long_facets()
   }
 }
 
+// Islands of one voxel, as isosurfaces have them, are far smaller than the target length, and become tetrahedra, but no flat ones.
+void islands_keep_a_volume()
+{
+  meshes::Soup soup = meshes::sphere(3);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> radius(.005, .05);
+  for(const auto& centre : meshes::sphere(1).points)
+  {
+    const std::size_t first = soup.points.size();
+    const std::array<double, 3> r = {radius(random), radius(random), radius(random)};
+    for(const auto& p : meshes::octahedron().points)
+      soup.points.push_back({1.3 * centre[0] + r[0] * p[0], 1.3 * centre[1] + r[1] * p[1], 1.3 * centre[2] + r[2] * p[2]});
+    for(const auto& f : meshes::octahedron().faces)
+      soup.faces.push_back({first + f[0], first + f[1], first + f[2]});
+  }
+  const Mesh input = meshes::to_mesh<Mesh>(soup);
+  for(const double length : {.1, .15, .2, .3})
+  {
+    Mesh m = input;
+    IAR::isotropic_remeshing(length, m);
+    CHECK_MESSAGE(topology(m) == topology(input) && !does_self_intersect(m), length);
+    std::vector<Mesh> parts;
+    PMP::split_connected_components(m, parts);
+    for(const Mesh& part : parts)
+      CHECK_MESSAGE(PMP::volume(part) > 1e-8, length << ": " << PMP::volume(part));
+  }
+}
+
 // The walls' long edges are short before anything is flipped or moved, whatever that takes: vertices would slide down them from the
 // narrow facets of the ends.
 void thin_walls_keep_their_round_ends()
@@ -1530,6 +1558,7 @@ int main(int argc, char* argv[])
   apexes_of_coarse_cones_stay();
   tips_are_not_worn_off_by_what_mends_angles();
   a_few_iterations_are_enough_for_needles_and_long_facets();
+  islands_keep_a_volume();
   thin_walls_keep_their_round_ends();
   folded_walls_of_terrains_are_not_missed();
   all_crossing_faces_are_found();

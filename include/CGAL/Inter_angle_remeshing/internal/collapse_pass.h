@@ -73,6 +73,28 @@ inline bool has_short_edges_after_collapse(const Remeshing_mesh& mesh, Remeshing
   return true;
 }
 
+// Whether the collapse of h leaves a tetrahedron, the least that a closed component can be, that is flat: all of its volume would be lost.
+inline bool leaves_flat_tetrahedron(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  using Index = Remeshing_mesh::Index;
+  constexpr double FLAT = 0.1;           // altitude over the largest face, over the longest edge
+  const Index o = mesh.opposite(h);
+  if (h < 0 || o < 0) return false;
+  const Index a = mesh.source(h), b = mesh.source(o), c = mesh.apex(h), d = mesh.apex(o);
+  if (mesh.valence(a) + mesh.valence(b) != 7 || mesh.valence(c) != 4 || mesh.valence(d) != 4) return false;
+  Index e = b;
+  for (const Index end : {a, b})
+    mesh.for_each_neighbor(end, [&](Index u) { if (u != a && u != b && u != c && u != d) e = u; });
+  if (mesh.valence(e) != 3) return false;
+  const Vector3 p[4] = {mesh.position(b), mesh.position(c), mesh.position(d), mesh.position(e)};
+  double largest_area = 0, longest_edge = 0;
+  for (int k = 0; k < 4; ++k) {
+    largest_area = (std::max)(largest_area, length(triangle_cross(p[k], p[(k + 1) % 4], p[(k + 2) % 4])));
+    for (int l = 0; l < k; ++l) longest_edge = (std::max)(longest_edge, length(p[k] - p[l]));
+  }
+  return std::abs(dot(triangle_cross(p[0], p[1], p[2]), p[3] - p[0])) < FLAT * longest_edge * largest_area;
+}
+
 // Whether the faces that replace the star of h's source are fit: no edge too long, no face turned, and one of them
 // near the removed point. The last keeps tips and ridges.
 inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Grading& grading,
@@ -94,7 +116,7 @@ inline bool is_collapse_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h,
     is_near = is_near || squared_distance(closest_point_on_triangle(p, q, r, s).point, p) <= squared_tolerance;
     return true;
   });
-  return turns_no_face && is_near;
+  return turns_no_face && is_near && !leaves_flat_tetrahedron(mesh, h);
 }
 
 // Smallest angle that a collapse may leave where a curve is near, unless it was smaller before: 15 degrees, as the square
