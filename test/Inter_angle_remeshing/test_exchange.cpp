@@ -1978,8 +1978,8 @@ void threads_see_a_strip_widen()
   soup.faces = {{middle, last, end}, {middle, end, inner}, {end, near_end, inner}, {near_end, beyond, inner}, {middle, inner, side},
                 {middle, side, first}};
   using Points = decltype(soup.points);
-  for(const Points& points : {Points{{-.24, 0, 0}, {.52, 0, 0}, {1, 0, 0}, {.94, .4, 0}, {.65, .47, 0}, {.36, .54, 0}, {.3, .26, 0}, {-.32, .66, 0}},
-                              Points{{-.18, 0, 0}, {.52, 0, 0}, {1, 0, 0}, {1.02, .36, 0}, {.73, .45, 0}, {.44, .54, 0}, {.3, .26, 0}, {-.04, .58, 0}}})
+  for(const Points& points : {Points{{-.24, 0, 0}, {.52, 0, 0}, {1, 0, 0}, {.94, .5, 0}, {.65, .5875, 0}, {.36, .675, 0}, {.3, .325, 0}, {-.32, .825, 0}},
+                              Points{{-.18, 0, 0}, {.52, 0, 0}, {1, 0, 0}, {1.02, .45, 0}, {.73, .5625, 0}, {.44, .675, 0}, {.3, .325, 0}, {-.04, .725, 0}}})
   {
     soup.points = points;
     check_collapses_with_threads(soup, {{{near_end, beyond}, {first, middle}}});

@@ -1873,6 +1873,38 @@ void grading_mends_jagged_borders()
   CHECK(square.number_of_faces() == plain.number_of_faces());
 }
 
+// The border of two patches of labels on a sphere zigzags along the input's edges, around a plane. A result that is coarser need not follow
+// that: seams run straight on, no farther off than half of the target length.
+void jagged_seams_are_followed_at_the_scale_of_the_target()
+{
+  const Mesh input = meshes::to_mesh<Mesh>(meshes::sphere(5));
+  const double edge = mean_edge_length(input);
+  for(const Vector& way : {Vector(.3, .5, .8), Vector(.1, -.9, .2), Vector(1, 1, 1)})
+    for(const double factor : {2., 3., 4.})
+    {
+      const double length = factor * edge;
+      const Vector normal = way / std::sqrt(way.squared_length());
+      Mesh m = input, plain = input;
+      auto patch = m.add_property_map<Face, int>("f:patch", 0).first;
+      for(const Face f : m.faces())
+      {
+        const Halfedge h = m.halfedge(f);
+        const Point c = CGAL::centroid(m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h))));
+        patch[f] = (c - CGAL::ORIGIN) * normal > 0 ? 1 : -1;
+      }
+      IAR::isotropic_remeshing(faces(m), length, m, parameters::face_patch_map(patch));
+      IAR::isotropic_remeshing(length, plain);
+      const auto angles = IAR::inter_angle_statistics(m);
+      CHECK_MESSAGE(angles.minimum_angle > 30 && angles.maximum_angle < 105, factor << ": " << angles.minimum_angle << ".." << angles.maximum_angle);
+      CHECK_MESSAGE(double(m.number_of_faces()) < 1.25 * double(plain.number_of_faces()), factor << ": " << m.number_of_faces());
+      double farthest = 0;
+      for(const Face f : m.faces())
+        for(const Vertex v : m.vertices_around_face(m.halfedge(f)))
+          farthest = std::max(farthest, -patch[f] * ((m.point(v) - CGAL::ORIGIN) * normal));
+      CHECK_MESSAGE(farthest < .5 * length + edge, factor << ": " << farthest / length);
+    }
+}
+
 // A sheet of n by n squares of side 1, each with a round hole of 16 edges.
 meshes::Soup perforated_sheet(std::size_t n, double radius)
 {
@@ -2531,6 +2563,7 @@ int main()
   parts_keep_their_edges_beside_others();
   grading_mends_jagged_borders();
   grading_mends_round_holes();
+  jagged_seams_are_followed_at_the_scale_of_the_target();
   dense_curves_leave_no_needles();
   round_rims_are_coarsened();
   coarse_results_are_still_cad_models();

@@ -40,12 +40,14 @@ public:
     HELD = 64               // locked while the mesh is coarse
   };
 
-  // Flags of edge k of a face: bits k, k + 3, k + 6, k + 9 and k + 12.
+  // Flags of edge k of a face: bits k, k + 3, k + 6 and so on.
   static constexpr std::uint32_t CONSTRAINED = 1;  // never flipped, its chain is kept
   static constexpr std::uint32_t PROTECTED = 8;    // neither flipped, split nor collapsed: keeps its descriptor
   static constexpr std::uint32_t ON_CURVE = 64;    // has a place on a curve of the input, see curve_place()
   static constexpr std::uint32_t FOUND = 512;      // constrained because it was found to be a feature: the user did not mark it
   static constexpr std::uint32_t PASSING = 4096;   // constrained in the iterations alone
+  static constexpr std::uint32_t SEAM = 32768;     // constrained because patches meet there, and for nothing else
+  static constexpr std::uint32_t JAGGED = 262144;  // of a chain of seams whose zigzag tells nothing
 
   static constexpr Index NO_VERTEX = -1;
 
@@ -409,7 +411,7 @@ private:
   Index new_face();
   Index new_vertex();
 
-  static constexpr std::uint32_t ALL_FLAGS = CONSTRAINED | PROTECTED | ON_CURVE | FOUND | PASSING;
+  static constexpr std::uint32_t ALL_FLAGS = CONSTRAINED | PROTECTED | ON_CURVE | FOUND | PASSING | SEAM | JAGGED;
 
   // The flags of the edge of h, moved down to the bits of edge 0.
   std::uint32_t flags(Index h) const { return (faces_[h >> 2].edge_flags >> (h & 3)) & ALL_FLAGS; }

@@ -74,8 +74,10 @@ void mark_constraints(Exchange& exchange, const TriangleMesh& tmesh, const EdgeI
       is_constrained = is_constrained || get(ecm, edge(user, tmesh));
     if constexpr (!std::is_same<PatchMap, No_map>::value) {
       const auto across = face(opposite(user, tmesh), tmesh);
-      is_constrained = is_constrained || (across != boost::graph_traits<TriangleMesh>::null_face() &&
-                                          !(get(fpm, face(user, tmesh)) == get(fpm, across)));
+      const bool is_seam = !is_constrained && across != boost::graph_traits<TriangleMesh>::null_face() &&
+                           !(get(fpm, face(user, tmesh)) == get(fpm, across));
+      if (is_seam) mesh.add_flags(h, Remeshing_mesh::SEAM);
+      is_constrained = is_constrained || is_seam;
     }
     if (is_constrained) mark_feature(mesh, h);
     if ((is_constrained || mesh.is_border(h)) && !settings.slides) mark_ends(mesh, h, Remeshing_mesh::PINNED);

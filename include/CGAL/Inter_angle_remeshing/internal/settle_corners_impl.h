@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/close_curve_vertices.h>
 #include <CGAL/Inter_angle_remeshing/internal/corners.h>
 #include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
+#include <CGAL/Inter_angle_remeshing/internal/jagged_seams.h>
 #include <CGAL/Inter_angle_remeshing/internal/settle_corners.h>
 
 #include <CGAL/tags.h>
@@ -20,15 +21,16 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// Designed curves are not jagged; where the fillets of a part are joined across a corner, they are. Crests are as jagged as the input's
-// edges.
-inline std::vector<double> scales_of_corners(const Remeshing_mesh& mesh, const Input_kind& kind, double target)
+// Designed curves are not jagged; where the fillets of a part are joined across a corner, they are. Crests and jagged seams, which are
+// marked here, are as jagged as the input's edges.
+inline std::vector<double> scales_of_corners(Remeshing_mesh& mesh, const Input_kind& kind, double target)
 {
   constexpr double CREST_SCALE = 2;
   std::vector<double> scales(mesh.number_of_vertex_slots(), kind.is_cad ? 0. : target);
   for (const Remeshing_mesh::Index h : kind.rounded_edges.edges) scales[mesh.origin(h)] = scales[mesh.target(h)] = target;
   mesh.for_each_edge([&](Remeshing_mesh::Index h) {
     if (mesh.has_flag(h, Remeshing_mesh::PASSING)) scales[mesh.origin(h)] = scales[mesh.target(h)] = CREST_SCALE * target; });
+  if (target > 0) Jagged_seams(mesh).mark(target, scales);
   return scales;
 }
 
