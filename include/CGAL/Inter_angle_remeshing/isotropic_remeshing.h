@@ -131,8 +131,9 @@ number of faces of the range and of the result, per iteration; at vertices with 
     \cgalParamDefault{no vertex is constrained}
   \cgalParamNEnd
   \cgalParamNBegin{face_patch_map}
-    \cgalParamDescription{patches whose borders are constrained edges. After the call the map, if it can be written, has
-                          the patch of each face of the range.}
+    \cgalParamDescription{patches whose borders are constrained edges. Where a border zigzags from edge to edge on a smooth
+                          surface, as labels of faces leave it, it may lie half a target length from the result's. After the
+                          call the map, if it can be written, has the patch of each face of the range.}
     \cgalParamType{a class model of `ReadWritePropertyMap` with `boost::graph_traits<TriangleMesh>::%face_descriptor` as
                    key type and a copyable type that can be compared for equality as value type}
     \cgalParamDefault{one patch}
