@@ -57,7 +57,7 @@ const Mesh& mesh_of_cgal(const std::string& name)
 
 // How far borders and constrained edges move, in target lengths: what collapses take away from a curve adds up to this.
 constexpr double CURVE_TOLERANCE = .05;
-// So far borders of patches that zigzag.
+// The same of borders of patches that zigzag.
 constexpr double SEAM_TOLERANCE = .5;
 // Of distances from points that were computed, in edge lengths.
 constexpr double ROUNDING = 1e-14;

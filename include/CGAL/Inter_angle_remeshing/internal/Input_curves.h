@@ -185,7 +185,7 @@ inline double Input_curves::deviation(Index curve, double s, double t, Vector3 p
     if (arc_length_[i] + turns >= t) break;
     largest = (std::max)(largest, squared_distance_to_segment(points_[i], p, q));
   }
-  constexpr double OF_JAGGED = 0.1;
+  constexpr double OF_JAGGED = 0.1;      // .05 target lengths, the tolerance of curves, become .5: the teeth are up to an edge high
   return (c.is_jagged ? OF_JAGGED : 1) * std::sqrt(largest);
 }
 

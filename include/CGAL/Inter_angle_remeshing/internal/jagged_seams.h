@@ -32,8 +32,8 @@ inline double mean_step(const std::vector<Vector3>& points, std::size_t n)
 // second one, but from those on hardly longer than over every fourth one, as a polyline that just turns would be.
 inline double detour_of(const std::vector<Vector3>& points)
 {
-  constexpr std::size_t LEAST_POINTS = 8;
-  constexpr double STRAIGHT = 0.95;
+  constexpr std::size_t LEAST_POINTS = 8;        // of fewer, every fourth ones are too few to tell
+  constexpr double STRAIGHT = 0.95;              // turns of 36 degrees; labels leave .3 to .9
   if (points.size() < LEAST_POINTS) return 1;
   const double by_one = mean_step(points, 1), by_two = mean_step(points, 2), by_four = mean_step(points, 4);
   const bool is_zigzag = by_two < STRAIGHT * by_one && by_four * by_one > by_two * by_two;
