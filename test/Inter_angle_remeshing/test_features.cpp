@@ -2220,15 +2220,16 @@ void coarse_models_keep_their_creases()
   using Case = std::pair<const char*, std::size_t>;
   std::size_t runs = 0, crossing_runs = 0, out_with = 0, out_without = 0;
   double distance_with = 0, distance_without = 0;
-  IAR::Recipe no_crests;                       // they would hold creases at thin parts, too
+  IAR::Recipe no_crests, ungraded;             // they would hold creases at thin parts, too
   no_crests.crest_width = 0;
+  ungraded.grading = 0;
   for(const auto& [name, coarse] : {Case{"triceratops", 150}, {"triceratops", 200}, {"triceratops", 300}, {"dino", 200}, {"dino", 300},
                                     {"dino", 400}, {"elephant", 300}, {"elephant", 400}, {"camel", 300}, {"camel", 400}})
   {
     Mesh m = models::of_cgal(name);
     const std::size_t fine = 67 * coarse;
-    // by a length: what an input is must not depend on how numbers of faces are met
-    const auto of_itself = IAR::isotropic_remeshing(IAR::target_edge_length(faces(m), m, coarse), m);
+    // by a length, the same everywhere: what an input is must not depend on how numbers of faces are met, or limbs are graded
+    const auto of_itself = IAR::isotropic_remeshing(faces(m), IAR::target_edge_length(faces(m), m, coarse), m, IAR::recipe(ungraded));
     m.collect_garbage();
     CHECK(of_itself.features == Features::none && !does_self_intersect(m));
     CHECK_MESSAGE(found_features(m).empty(), name);

@@ -32,7 +32,7 @@ class Clean_up
   // What is further from the wanted number of faces when faces are mended, as a part of it, is corrected, and its faces are mended
   // again, up to so many times.
   static constexpr double RECOUNTED = 0.01;
-  static constexpr int MOST_RECOUNTS = 3;
+  static constexpr int MOST_RECOUNTS = 8;
 
 public:
   Clean_up(Remeshing_context& context, Run_clock& clock, Remeshing_report& report, Pass_runner<ConcurrencyTag>& passes)
@@ -51,7 +51,7 @@ public:
     context_.kept_places.note(mesh_);
     mend_faces();
     for (int round = 0; round < MOST_RECOUNTS && passes_.goes_on() && misses_face_count(); ++round) {
-      passes_.meet_face_count();
+      if (passes_.meet_face_count() == 0) break;
       passes_.measure_grading();
       passes_.flip(1, false);
       mend_faces();

@@ -50,6 +50,8 @@ class Pass_runner
 
   // The iteration from which on short edges of curves are there to stay.
   static constexpr unsigned SETTLED_CURVES = 5;
+  // And that from which on rings of short edges are necks: before, most are those of the input.
+  static constexpr unsigned SETTLED_NECKS = 2;
 
 public:
   Pass_runner(Remeshing_context& context, const Schedule& schedule, Run_clock& clock, Remeshing_report& report)
@@ -65,12 +67,18 @@ public:
   // Short edges that curves could do without are those of the input, at first: they tell nothing about details.
   void measure_grading()
   {
+    std::vector<Neck_vertex> necks;
+    // A coarser level resolves its input.
+    if (context_.may_have_necks && clock_.levels() == 0 && clock_.iterations() >= SETTLED_NECKS)
+      necks = find_necks<ConcurrencyTag>(mesh_, context_.target_length);
+    context_.has_necks = context_.has_necks || !necks.empty();
     if (!context_.is_graded()) return;
     context_.grading.read<ConcurrencyTag>(mesh_, context_.sizing, context_.locator, context_.target_length);
+    context_.grading.sink_at_necks(mesh_, necks, context_.target_length, recipe_.grading);
     if (!(context_.grading_rate > 0)) return;
     const bool are_curves_settled = clock_.iterations() >= SETTLED_CURVES || !context_.may_collapse_constraints ||
                                     context_.collapse_rule.is_never();
-    context_.grading.sink(mesh_, context_.target_length, context_.grading_rate, [&](Index v) {
+    context_.grading.sink_at_curves(mesh_, context_.target_length, context_.grading_rate, [&](Index v) {
       return are_curves_settled || !has_surplus_curve_edge(context_, v); });
   }
 
@@ -95,14 +103,18 @@ public:
   // On this level; 0: any.
   std::size_t wanted_faces() const { return schedule_.wanted_faces >> (2 * clock_.levels_left()); }
 
-  void meet_face_count()
+  // Returns the number of operations.
+  std::size_t meet_face_count()
   {
     const std::size_t faces = mesh_.number_of_live_faces(), wanted = wanted_faces();
-    if (wanted == 0) return;
-    if (faces > wanted && !context_.collapse_rule.is_never())
-      report_.collapses += run(Pass::collapse, [&]() { return collapse_surplus(context_, wanted); });
+    std::size_t collapses = 0, splits = 0;
+    if (wanted > 0 && faces > wanted && !context_.collapse_rule.is_never())
+      collapses = run(Pass::collapse, [&]() { return collapse_surplus(context_, wanted); });
     if (faces < wanted && !context_.split_rule.is_never())
-      report_.splits += run(Pass::split, [&]() { return split_for_deficit<ConcurrencyTag>(context_, wanted); });
+      splits = run(Pass::split, [&]() { return split_for_deficit<ConcurrencyTag>(context_, wanted); });
+    report_.collapses += collapses;
+    report_.splits += splits;
+    return collapses + splits;
   }
 
   // Flips, and glides perhaps, by turns.

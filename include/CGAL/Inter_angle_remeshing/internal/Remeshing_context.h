@@ -52,6 +52,8 @@ struct Remeshing_context
   bool may_subdivide = true;           // no rule of the user's says which edges are split, collapsed or flipped
   double release_distance = 0;         // of corners of features that may be given up, in target lengths; 0: none may
   double grading_rate = 0;             // at curves; 0: their short edges do not lower the target length
+  bool may_have_necks = false;         // which lower the target length around them
+  bool has_necks = false;
   double noise = 0;                    // of the input, beside the target length; 0: it is clean
   double spike_factor = 1;             // how many times as far as Recipe::collapse_tolerance says a collapse may reach
   double collapse_reach = 1;           // how many times as long as splits leave edges those may be that collapses make
@@ -60,7 +62,7 @@ struct Remeshing_context
   Kept_places kept_places;             // while faces and angles are mended
 
   // Whether the target length differs from place to place.
-  bool is_graded() const { return grading_rate > 0 || !sizing.is_uniform(); }
+  bool is_graded() const { return grading_rate > 0 || has_necks || !sizing.is_uniform(); }
   // The target length that the sizing field has at a vertex, and on an edge.
   double length_at(Index v) const { return grading.has_field() ? target_length * grading.field_part(v) : target_length; }
   double length_at(Index u, Index v) const

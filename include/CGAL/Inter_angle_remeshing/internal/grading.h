@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_GRADING_H
 
 #include <CGAL/Inter_angle_remeshing/internal/curves.h>
+#include <CGAL/Inter_angle_remeshing/internal/necks.h>
 #include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
 #include <CGAL/Inter_angle_remeshing/internal/sizing.h>
 
@@ -14,7 +15,7 @@
 #include <vector>
 
 // The target length at each vertex: that of the sizing field; and where curves have short edges, because details are small or
-// strips narrow, it falls to theirs. It rises by so much and no more with the distance.
+// strips narrow, it falls to theirs, as it does around necks. It rises by so much and no more with the distance.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -58,7 +59,7 @@ public:
     return result;
   }
 
-  // Takes the parts of all vertices from the field, or 1 where it is uniform; see `sink()` for the curves.
+  // Takes the parts of all vertices from the field, or 1 where it is uniform; see `sink_at_curves()` and `sink_at_necks()`.
   template <class ConcurrencyTag>
   void read(const Remeshing_mesh& mesh, const Sizing& sizing, const Input_locator* locator, double target_length)
   {
@@ -79,7 +80,7 @@ public:
   // Lowers the parts at short edges of curves, and around them: they rise by `rate` over a unit of length. Protected
   // edges say nothing about details, nor do those at vertices for which `is_settled(v)` does not hold.
   template <class Predicate>
-  void sink(const Remeshing_mesh& mesh, double target_length, double rate, const Predicate& is_settled)
+  void sink_at_curves(const Remeshing_mesh& mesh, double target_length, double rate, const Predicate& is_settled)
   {
     std::vector<Index> sunk;
     for (Index v = 0; v < Index(part_.size()); ++v) {
@@ -99,6 +100,19 @@ public:
       sunk.push_back(v);
     }
     lower_around(mesh, target_length, rate, sunk, [&](Index v) { return !mesh.is_on_curve(v); });
+  }
+
+  // The same around necks.
+  void sink_at_necks(const Remeshing_mesh& mesh, const std::vector<Neck_vertex>& necks, double target_length, double rate)
+  {
+    std::vector<Index> sunk;
+    for (const Neck_vertex& neck : necks) {
+      const double bound = (std::max)(SMALLEST, neck.length / target_length);
+      if (bound >= part(neck.vertex)) continue;
+      part_[neck.vertex] = float(bound);
+      sunk.push_back(neck.vertex);
+    }
+    lower_around(mesh, target_length, rate, sunk, [](Index) { return true; });
   }
 
 private:

@@ -216,6 +216,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
     context.keeps_vertices = keeps_vertices;
     set_rules<TriangleMesh>(context, parameters, kind, exchange.input_vertices());
     context.grading_rate = has_small_details ? parameters.recipe.grading : 0.;
+    context.may_have_necks = !kind.is_cad && !keeps_vertices && wanted.sizing.is_uniform() && parameters.recipe.grading > 0;
     context.noise = noise(kind, mean_length, target);
     if (locator) context.locator = &*locator;
     const Run_result result = run_passes<Concurrency>(context, parameters.schedule, untouched);
