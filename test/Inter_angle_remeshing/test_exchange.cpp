@@ -1937,7 +1937,7 @@ std::set<std::set<Flat::Index>> faces_after_collapses(const Soup& soup, const st
   const internal::Sizing uniform;
   const internal::Projection none;
   internal::Run_visitor visitor;
-  internal::Remeshing_context context(mesh, recipe, curves, uniform, none, visitor, 1 / mesh.unit());
+  internal::Remeshing_context context(mesh, exchange.surroundings(), recipe, curves, uniform, none, visitor, 1 / mesh.unit());
   const auto edge = [&](int u, int v) {
     const auto h = mesh.find_halfedge(flat[u], flat[v]);
     return h >= 0 ? h : mesh.find_halfedge(flat[v], flat[u]);

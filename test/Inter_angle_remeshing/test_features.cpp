@@ -19,6 +19,7 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/selection.h>
 #include <CGAL/centroid.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -1425,7 +1426,7 @@ void fillets_narrower_than_the_target_are_features()
     CHECK_MESSAGE(report.features != Features::none && report.angles_after.minimum > 25 && report.angles_after.maximum < 110,
                   report.angles_after.minimum << " to " << report.angles_after.maximum);
     CHECK_MESSAGE(distance_of_rounded_edges(half, r, sharp) < .08 * length, distance_of_rounded_edges(half, r, sharp));
-    CHECK_MESSAGE(distance_of_rounded_edges(half, r, serrated) > .2 * length, distance_of_rounded_edges(half, r, serrated));
+    CHECK_MESSAGE(distance_of_rounded_edges(half, r, serrated) > .15 * length, distance_of_rounded_edges(half, r, serrated));
     const double hausdorff = invariants::surface_distance(input, sharp).hausdorff();
     CHECK_MESSAGE(hausdorff < .5 * invariants::surface_distance(input, serrated).hausdorff(), hausdorff);
 
@@ -1984,6 +1985,35 @@ void a_count_is_met_in_spite_of_grading()
     IAR::isotropic_remeshing(IAR::Face_count(count), m);
     const double ratio = double(m.number_of_faces()) / double(count);
     CHECK_MESSAGE(std::abs(ratio - 1) < .02, "plate, " << count << ": " << ratio);
+  }
+}
+
+// Parts of CAD models whose rims have edges of dozens of target lengths: sweeps turned faces over beside these. Where creases are no features
+// faces may still cross others; then the report says so, also of those outside, as it did not of rotor and cheese.
+void ranges_beside_long_facets_cross_nothing()
+{
+  struct Part
+  {
+    const char* name;
+    unsigned centre, rings;
+    double factor, sharpness;
+  };
+  for(const Part& part : {Part{"rotor", 330, 5, 1, 180}, {"anchor", 1021, 5, .25, 180}, {"oblong", 601, 5, .25, 0}, {"cheese", 2298, 8, .25, 180},
+                          {"turbine", 7668, 8, .25, 0}, {"turbine", 7668, 8, .25, 180}, {"turbine", 1448, 11, 1, 180}})
+  {
+    Mesh m = models::of_cgal(part.name);
+    if(meshes::is_small_run() && m.number_of_faces() > 2000)
+      continue;
+    const double length = part.factor * mean_edge_length(m);
+    auto is_inside = m.add_property_map<Face, bool>("f:inside", false).first;
+    std::vector<Face> range = {Face(part.centre)};
+    is_inside[range.front()] = true;
+    CGAL::expand_face_selection(std::vector<Face>(range), m, part.rings, is_inside, std::back_inserter(range));
+    const auto report = part.sharpness > 0 ? IAR::isotropic_remeshing(range, length, m, parameters::sharpness_angle(part.sharpness))
+                                           : IAR::isotropic_remeshing(range, length, m);
+    const bool crosses = does_self_intersect(m);
+    CHECK_MESSAGE(report.are_crossing_faces_known && crosses == (report.crossing_faces > 0), part.name << ": " << report.crossing_faces);
+    CHECK_MESSAGE(part.sharpness > 0 || !crosses, part.name);
   }
 }
 
@@ -2569,5 +2599,6 @@ int main()
   round_rims_are_coarsened();
   coarse_results_are_still_cad_models();
   a_count_is_met_in_spite_of_grading();
+  ranges_beside_long_facets_cross_nothing();
   return result();
 }

@@ -634,17 +634,21 @@ void linear_functions_are_kept()
   const auto colour = m.add_property_map<Vertex, Colour>("v:colour").first;
   const auto vector = m.add_property_map<Vertex, Vector>("v:vector").first;
   const auto texture = m.add_property_map<Vertex, Kernel::Point_2>("v:texture").first;
+  const auto rounded = m.add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
   const auto id = m.add_property_map<Vertex, int>("v:id", -1).first;
+  const auto channel = [](double x) { return static_cast<unsigned char>(std::lround(250 * x)); };
   for(const Vertex v : m.vertices())
   {
     const Point p = m.point(v);
     colour[v] = {float(p.x()), float(p.y()), .5f};
+    rounded[v] = CGAL::IO::Color(channel(p.x()), channel(p.y()), 255, 0);
     vector[v] = Vector(p.y(), 2 * p.x(), 1);
     texture[v] = Kernel::Point_2(3 * p.x(), p.y() - 1);
     id[v] = p.x() < .5 ? 1 : 2;
   }
   IAR::Attribute_transfer<Mesh> transfer;
   transfer.add_vertex_map(colour);
+  transfer.add_vertex_map(rounded);
   transfer.add_vertex_map(vector);
   transfer.add_vertex_map(texture);
   transfer.add_vertex_map(id, IAR::Nearest_value());
@@ -658,6 +662,9 @@ void linear_functions_are_kept()
     {
       const Point p = m.point(v);
       CHECK(std::abs(colour[v][0] - p.x()) < 1e-5 && std::abs(colour[v][1] - p.y()) < 1e-5 && colour[v][2] == .5f);
+      // each of the runs, and the input, rounds by half of a step
+      CHECK(std::abs(rounded[v].red() - 250 * p.x()) < 2 && std::abs(rounded[v].green() - 250 * p.y()) < 2);
+      CHECK(rounded[v].blue() == 255 && rounded[v].alpha() == 0);
       CHECK(CGAL::squared_distance(CGAL::ORIGIN + vector[v], Point(p.y(), 2 * p.x(), 1)) < 1e-20);
       CHECK(CGAL::squared_distance(texture[v], Kernel::Point_2(3 * p.x(), p.y() - 1)) < 1e-20);
       CHECK(id[v] == 1 || id[v] == 2);

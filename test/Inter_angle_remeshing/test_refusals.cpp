@@ -137,7 +137,7 @@ void coordinates_that_are_not_finite_are_refused()
       std::array<double, 3> p = {1, 2, 3};
       p[axis] = bad;
       m.point(Mesh::Vertex_index(5)) = Point(p[0], p[1], p[2]);
-      check_refused(m, "not finite", [](Mesh& g) { IAR::isotropic_remeshing(.1, g); });
+      check_refused(m, "a corner of face number ", [](Mesh& g) { IAR::isotropic_remeshing(.1, g); });
       check_refused(m, "not finite", [](Mesh& g) { IAR::target_edge_length(faces(g), g, 100); });
       check_refused(m, "not finite", [](Mesh& g) { Projector projector(g); });
     }

@@ -97,11 +97,12 @@ struct Remeshing_report
   std::size_t glides = 0;
   /// the number of operations that mended angles out of the band, folds, and faces that crossed others
   std::size_t repairs = 0;
-  /// the number of faces of the range that cross others of it in the end, as many do where the input crosses itself; two that share
-  /// an edge do not; 0 where they were not looked for
+  /// the number of faces of the range that cross others of it in the end, or faces outside that are joined to its rim, as many do where
+  /// the input crosses itself; two that share an edge do not; 0 where they were not looked for
   std::size_t crossing_faces = 0;
   /// whether they were looked for: `Recipe::clean_up` and `Recipe::repair` are on, vertices may move, and the target length is not
-  /// much less than the altitudes of the surface's faces, or a face is out of the band, or the projector knows no faces
+  /// much less than the altitudes of the surface's faces, or a face is out of the band, or there are faces outside of the range, or the
+  /// projector knows no faces
   bool are_crossing_faces_known = false;
   /// the angles of the range before
   Angles angles_before;

@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Face_grid.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/Surface_crossings.h>
+#include <CGAL/Inter_angle_remeshing/internal/Surroundings.h>
 #include <CGAL/Inter_angle_remeshing/internal/angle_bands.h>
 #include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
 #include <CGAL/Inter_angle_remeshing/internal/crossings.h>
@@ -58,7 +59,7 @@ public:
   };
 
   explicit Faults(const Remeshing_context& context)
-    : context_(context), mesh_(context.mesh), bands_(context.recipe), leaving_(context)
+    : context_(context), mesh_(context.mesh), around_(context.mesh, context.surroundings), bands_(context.recipe), leaving_(context)
   {}
 
   // Faces with angles out of their bands, and folds; the worst ones first.
@@ -96,8 +97,8 @@ public:
   Bad_faces find_crossings(std::size_t& crossing)
   {
     finds_crossings_ = true;
-    const std::vector<std::pair<Index, Index>> pairs = crossing_faces<ConcurrencyTag>(mesh_);
-    Bad_faces result{faces_of(pairs)};
+    const std::vector<std::pair<Index, Index>> pairs = crossing_pairs<ConcurrencyTag>();
+    Bad_faces result{faces_of_mesh(pairs)};
     crossing = result.faces.size();
     if (pairs.empty()) return result;
     if (crossing > HOPELESS_CROSSINGS && 2 * crossing > mesh_.number_of_live_faces()) return {};
@@ -110,13 +111,21 @@ public:
     return result;
   }
 
+  // The number of faces that cross others.
+  template <class ConcurrencyTag>
+  std::size_t number_of_crossing_faces() const { return faces_of_mesh(crossing_pairs<ConcurrencyTag>()).size(); }
+
   // The fault of face f, if it has one of those that were looked for last.
   Fault fault_of(Index f) const
   {
     if (finds_crossings_) return is_inherited(f) ? Fault::inherited_crossing : Fault::crossing;
     return fold_violation(context_, f) > 0 ? Fault::fold : Fault::angle;
   }
-  bool is_bad(Index f) { return finds_crossings_ ? are_crossed(mesh_, *grid_, {f}, marks_, looks_) : violation(f) > 0; }
+  bool is_bad(Index f)
+  {
+    if (!finds_crossings_) return violation(f) > 0;
+    return are_crossed(mesh_, *grid_, {f}, marks_, looks_) || around_.crosses(f);
+  }
 
   bool has_looked_enough() const { return are_enough_looks(mesh_, looks_); }
 
@@ -131,6 +140,7 @@ public:
     const std::vector<Index> within_reach = faces_around(mesh_, ball(mesh_, {corner[0], corner[1], corner[2]}, REACH, marks_), marks_);
     near_ = faces_near(mesh_, *grid_, within_reach, marks_, looks_);
     std::sort(near_.begin(), near_.end());
+    near_outside_ = around_.faces_near(within_reach);
     for_each_crossing_near(within_reach, [&](Index g, Index other) {
       crossings_before_.push_back({g, other, score_of_crossing(g, other)});
       return true;
@@ -167,6 +177,22 @@ public:
   }
 
 private:
+  // The pairs of faces that cross each other, those outside of the range with negative names.
+  template <class ConcurrencyTag>
+  std::vector<std::pair<Index, Index>> crossing_pairs() const
+  {
+    std::vector<std::pair<Index, Index>> pairs = crossing_faces<ConcurrencyTag>(mesh_);
+    const std::vector<std::pair<Index, Index>> outside = around_.crossings();
+    pairs.insert(pairs.end(), outside.begin(), outside.end());
+    return pairs;
+  }
+  static std::vector<Index> faces_of_mesh(const std::vector<std::pair<Index, Index>>& pairs)
+  {
+    std::vector<Index> faces = faces_of(pairs);
+    faces.erase(faces.begin(), std::lower_bound(faces.begin(), faces.end(), 0));
+    return faces;
+  }
+
   struct Crossing
   {
     Index face, other;
@@ -194,10 +220,10 @@ private:
     return TOUCH + v + (finds_crossings_ ? (std::min)(v * v, LARGEST_SQUARE) : v * v + CUBED * v * v * v);
   }
 
-  bool is_inherited(Index f) const { return crossings_of_surface_->are_near(context_, f); }
+  bool is_inherited(Index f) const { return f >= 0 && crossings_of_surface_->are_near(context_, f); }
   double crossing_length_in_targets(Index f, Index g) const
   {
-    return crossing_length(mesh_, f, g) / context_.length_at(mesh_.face_record(f).vertex[0]);
+    return crossing_length(around_, f, g) / context_.length_at(mesh_.face_record(f).vertex[0]);
   }
   double score_of_crossing(Index f, Index g) const
   {
@@ -212,7 +238,8 @@ private:
     std::vector<double> longest(mesh_.number_of_face_slots(), 0);
     for (const auto& [f, g] : pairs) {
       const double l = crossing_length_in_targets(f, g);
-      for (const Index x : {f, g}) longest[x] = (std::max)(longest[x], l);
+      for (const Index x : {f, g})
+        if (x >= 0) longest[x] = (std::max)(longest[x], l);
     }
     std::stable_sort(begin, end, [&](Index f, Index g) { return longest[f] < longest[g]; });
   }
@@ -226,18 +253,20 @@ private:
     std::vector<Index> others;
     std::set_union(near_.begin(), near_.end(), faces.begin(), faces.end(), std::back_inserter(others));
     others.erase(std::remove_if(others.begin(), others.end(), is_dead), others.end());
-    for_each_crossing(mesh_, faces, others, function);
+    others.insert(others.end(), near_outside_.begin(), near_outside_.end());
+    for_each_crossing(around_, faces, others, function);
   }
 
   const Remeshing_context& context_;
   const Remeshing_mesh& mesh_;
+  Mesh_in_surroundings around_;
   Angle_bands bands_;
   Leaving_faces leaving_;
   bool finds_crossings_ = false;
   std::optional<Surface_crossings> crossings_of_surface_;
   std::optional<Face_grid> grid_;              // where faces may cross others
   std::size_t looks_ = 0;                      // at faces that may be near others
-  std::vector<Index> near_;                    // the faces that may cross those around the face at hand
+  std::vector<Index> near_, near_outside_;     // the faces that may cross those around the face at hand, of the mesh and outside
   std::vector<Crossing> crossings_before_;     // of the faces around the face at hand
   std::vector<double> score_before_;           // by face; without crossings
   Visit_marks is_scored_;                      // whether that is known

@@ -216,8 +216,8 @@ public:
   // Chords much shorter than the surface's own do not lead through another sheet, but where the mesh is a wreck.
   void part_crossing_faces(Repairer& repairer)
   {
-    if (!goes_on() || !repairs() || (context_.projector.has_faces() && !repairer.leaves_bad_faces() &&
-                                     context_.is_finer_than_surface())) return;
+    if (!goes_on() || !repairs() || (context_.projector.has_faces() && context_.surroundings.faces.empty() &&
+                                     !repairer.leaves_bad_faces() && context_.is_finer_than_surface())) return;
     report_.are_crossing_faces_known = true;
     report_.repairs += run(Pass::repair, [&]() {
       return repairer.part_crossing_faces<ConcurrencyTag>(report_.crossing_faces); });

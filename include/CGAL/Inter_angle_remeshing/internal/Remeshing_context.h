@@ -10,6 +10,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Input_curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/Run_visitor.h>
+#include <CGAL/Inter_angle_remeshing/internal/Surroundings.h>
 #include <CGAL/Inter_angle_remeshing/internal/grading.h>
 #include <CGAL/Inter_angle_remeshing/internal/kept_places.h>
 #include <CGAL/Inter_angle_remeshing/internal/projection.h>
@@ -33,13 +34,14 @@ struct Remeshing_context
 {
   using Index = Remeshing_mesh::Index;
 
-  Remeshing_context(Remeshing_mesh& mesh, const Recipe& recipe, const Input_curves& curves, const Sizing& sizing,
-                    const Projection& projector, Run_visitor& visitor, double target_length)
-    : mesh(mesh), recipe(recipe), curves(curves), sizing(sizing), projector(projector), visitor(visitor),
+  Remeshing_context(Remeshing_mesh& mesh, const Surroundings& surroundings, const Recipe& recipe, const Input_curves& curves,
+                    const Sizing& sizing, const Projection& projector, Run_visitor& visitor, double target_length)
+    : mesh(mesh), surroundings(surroundings), recipe(recipe), curves(curves), sizing(sizing), projector(projector), visitor(visitor),
       target_length(target_length)
   {}
 
   Remeshing_mesh& mesh;
+  const Surroundings& surroundings;
   const Recipe& recipe;
   const Input_curves& curves;
   const Sizing& sizing;

@@ -40,7 +40,8 @@ inline bool is_corner(const Corner_table::Face& face, Corner_table::Index v)
   return (v == face.vertex[0]) | (v == face.vertex[1]) | (v == face.vertex[2]);
 }
 
-inline int number_of_shared_vertices(const Corner_table& mesh, Corner_table::Index f, Corner_table::Index g)
+template <class Surface>
+int number_of_shared_vertices(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
 {
   const Corner_table::Face &a = mesh.face_record(f), &b = mesh.face_record(g);
   return is_corner(b, a.vertex[0]) + is_corner(b, a.vertex[1]) + is_corner(b, a.vertex[2]);
@@ -126,7 +127,8 @@ bool cross_each_other(const Surface& mesh, Corner_table::Index f, Corner_table::
 }
 
 // The length of the segment in which two faces cross each other.
-inline double crossing_length(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, Remeshing_mesh::Index g)
+template <class Surface>
+double crossing_length(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
 {
   double result = 0;
   Vector3 first;
@@ -137,7 +139,7 @@ inline double crossing_length(const Remeshing_mesh& mesh, Remeshing_mesh::Index 
     result = (std::max)(result, length(p - first));
   };
   // Where the edges of `s` go through `t`.
-  const auto add_points = [&](Remeshing_mesh::Index s, Remeshing_mesh::Index t) {
+  const auto add_points = [&](Corner_table::Index s, Corner_table::Index t) {
     const auto &a = mesh.face_record(s).vertex, &b = mesh.face_record(t).vertex;
     const Vector3 &x = mesh.position(b[0]), &y = mesh.position(b[1]), &z = mesh.position(b[2]), normal = triangle_cross(x, y, z);
     for (int k = 0; k < 3; ++k) {
@@ -172,8 +174,8 @@ inline std::vector<Remeshing_mesh::Index> faces_near(const Remeshing_mesh& mesh,
 
 // Calls `function(face, other)` for every one of `faces`, which are sorted, that crosses one of `others`, until it returns false. Two
 // that are both among `faces` are one pair.
-template <class Function>
-void for_each_crossing(const Remeshing_mesh& mesh, const std::vector<Remeshing_mesh::Index>& faces,
+template <class Surface, class Function>
+void for_each_crossing(const Surface& mesh, const std::vector<Remeshing_mesh::Index>& faces,
                        const std::vector<Remeshing_mesh::Index>& others, const Function& function)
 {
   using Index = Remeshing_mesh::Index;

@@ -196,7 +196,7 @@ private:
       mesh.resize_vertices(copy_.vertices.size());
       mesh.set_input(v, v);
       number_fan(h, v);
-      mesh.position(v) = read_point(user_vertex);
+      mesh.position(v) = read_point(user_vertex, h);
     }
     mark_pinched();
   }
@@ -241,8 +241,8 @@ private:
     });
     const bool is_border = mesh.is_border(first);
     if (faces > MAXIMUM_VALENCE)
-      refuse(caller_, "vertex number " + std::to_string(v) + " of the range has " + std::to_string(faces) +
-                      " faces; at most " + std::to_string(MAXIMUM_VALENCE) + " are supported");
+      refuse(caller_, "a corner of " + name_of_face(std::size_t(h >> 2)) + " has " + std::to_string(faces) +
+                      " faces around it; at most " + std::to_string(MAXIMUM_VALENCE) + " are supported");
     mesh.set_first(v, first);
     mesh.set_valence(v, faces + (is_border ? 1 : 0));
     if (is_border) mark_border(v, first);
@@ -269,12 +269,12 @@ private:
     return face(opposite(copy_.halfedge(h), tmesh_), tmesh_) != Traits::null_face();
   }
 
-  Vector3 read_point(vertex_descriptor v) const
+  // Of the user's vertex that is the origin of h.
+  Vector3 read_point(vertex_descriptor v, Index h) const
   {
     const Vector3 q = to_vector3(get(vpm_, v));
     if (!is_finite(q))
-      refuse(caller_, "vertex number " + std::to_string(copy_.vertices.size() - 1) +
-                      " of the range has a coordinate that is not finite");
+      refuse(caller_, "a corner of " + name_of_face(std::size_t(h >> 2)) + " has a coordinate that is not finite");
     return q;
   }
 

@@ -5,9 +5,12 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_LINEAR_COMBINATION_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_LINEAR_COMBINATION_H
 
+#include <CGAL/IO/Color.h>
 #include <CGAL/Origin.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -51,13 +54,23 @@ Value linear_combination(std::size_t n, const Get& value, const Coefficient& coe
     for (std::size_t i = 1; i < n; ++i) sum = Sum(sum + coefficient(i) * value(i));
     return Value(sum);
   }
+  else if constexpr (std::is_same<Value, CGAL::IO::Color>::value) {
+    const auto channel = [&](std::size_t k) {
+      const double x = linear_combination<double>(n, [&](std::size_t i) { return double(value(i)[k]); }, coefficient);
+      return static_cast<unsigned char>(std::lround((std::max)(0., (std::min)(255., x))));
+    };
+    return Value(channel(0), channel(1), channel(2), channel(3));
+  }
+  else if constexpr (Is_point<Value>::value) {
+    auto sum = coefficient(0) * (value(0) - CGAL::ORIGIN);
+    for (std::size_t i = 1; i < n; ++i) sum = sum + coefficient(i) * (value(i) - CGAL::ORIGIN);
+    return Value(CGAL::ORIGIN + sum);
+  }
   else {
     static_assert(Is_point<Value>::value,
                   "Attribute_transfer: values of this type cannot be interpolated linearly. Hand over a functor `Value operator()"
                   "(const std::array<Value, 3>&, const std::array<double, 3>&) const`, or `Nearest_value()` for ids and labels.");
-    auto sum = coefficient(0) * (value(0) - CGAL::ORIGIN);
-    for (std::size_t i = 1; i < n; ++i) sum = sum + coefficient(i) * (value(i) - CGAL::ORIGIN);
-    return Value(CGAL::ORIGIN + sum);
+    return value(0);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh_graph.h>
 #include <CGAL/Inter_angle_remeshing/internal/flat_copy.h>
+#include <CGAL/Inter_angle_remeshing/internal/read_surroundings.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -89,9 +90,12 @@ public:
   // The user's faces, by their number in the input: Corner_table::Face::source.
   const std::vector<face_descriptor>& input_faces() const { return copy_.faces; }
 
+  const Surroundings& surroundings() const { return surroundings_; }
+
   // Hands the flat mesh over, all marks and flags set, to be remeshed.
   Remeshing_mesh take_mesh()
   {
+    surroundings_ = read_surroundings(copy_, tmesh_, vpm_);
     note_pinched_fans();
     protect_what_is_shared();
     sort_edges();
@@ -430,6 +434,7 @@ private:
   VertexPointMap vpm_;
   const char* caller_;
   Flat_copy<TriangleMesh> copy_;
+  Surroundings surroundings_;
   std::vector<Kept_edge> kept_edges_;
   std::vector<Pinched_fan> pinched_fans_;           // by number of the input vertex
   std::vector<halfedge_descriptor> spare_edges_;

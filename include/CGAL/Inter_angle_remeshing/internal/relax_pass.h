@@ -43,8 +43,9 @@ constexpr double STEP_NORMAL_COSINE = 0.5;
 constexpr int STEP_TRIALS = 3;
 // A tangential step that is shorter than this fraction of the altitude of the star's smallest face, over a link edge
 // of the length that it has in an equilateral triangle of the star's mean area, turns no face. In terms of the faces'
-// cross products c, the square of the altitude is |c_min|² / (2/√3 mean |c|).
-constexpr double SAFE_STEP = 0.75;
+// cross products c, the square of the altitude is |c_min|² / (2/√3 mean |c|). Where the longest link edge, as a protected one, is more
+// than so many times as long as that, it takes its place.
+constexpr double SAFE_STEP = 0.75, LONG_LINK_EDGE = 5;
 // λ of a slide, and the largest part of the way to the next vertex of the curve that it takes.
 constexpr double SLIDE_RELAXATION = 1.3, LONGEST_SLIDE = 0.6;
 // Steps that have to be tested are not worth it when they are shorter than this part of a safe step, or of the way to the nearer
@@ -82,12 +83,13 @@ private:
   using Mobility = Sweep_data::Mobility;
 
   // The star of a vertex: the sum of its faces' cross products, the sum of their squared lengths, the smallest one of
-  // these, and the step to the centre.
+  // these, the squared length of the longest link edge, and the step to the centre.
   struct Star
   {
     Vector3 cross;
     double sum_of_squares = 0;
     double smallest_square = std::numeric_limits<double>::infinity();
+    double longest_link_square = 0;
     Vector3 to_centre;
   };
 
@@ -146,6 +148,7 @@ Relaxation::Star Relaxation::star_of(std::size_t i, int valence) const
     result.cross += c;
     result.sum_of_squares += square;
     result.smallest_square = (std::min)(result.smallest_square, square);
+    result.longest_link_square = (std::max)(result.longest_link_square, squared_distance(previous, current));
     sum += current;
     previous = current;
   }
@@ -219,7 +222,9 @@ inline Vector3 Relaxation::refresh(std::size_t i)
   normal_[i] = (1 / l) * s.cross;
   step_factor_[i] = recipe_.relaxation * damping(flatness);
   if (flatness < RHO_GUARDED || data_.mobility[i] == Mobility::guarded) step_factor_[i] = -step_factor_[i];
-  safe_step_[i] = SAFE_STEP * SAFE_STEP * (std::sqrt(3.) / 2) * data_.valence(i) * s.smallest_square * flatness / l;
+  const double link_square = l * (2 / std::sqrt(3.)) / data_.valence(i);
+  const bool has_long_link = s.longest_link_square > LONG_LINK_EDGE * LONG_LINK_EDGE * link_square;
+  safe_step_[i] = SAFE_STEP * SAFE_STEP * flatness * s.smallest_square / (has_long_link ? s.longest_link_square : link_square);
   return s.to_centre;
 }
 

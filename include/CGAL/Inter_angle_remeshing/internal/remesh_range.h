@@ -212,7 +212,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
                                                [&](const Projection& projector, const auto&... restore) {
     std::optional<Input_locator> locator;
     if (wanted.sizing.needs_places() || attributes.are_carried()) locator.emplace(projector, mesh);
-    Remeshing_context context(mesh, parameters.recipe, curves, wanted.sizing, projector, parameters.visitor, target);
+    Remeshing_context context(mesh, exchange.surroundings(), parameters.recipe, curves, wanted.sizing, projector, parameters.visitor, target);
     context.keeps_vertices = keeps_vertices;
     set_rules<TriangleMesh>(context, parameters, kind, exchange.input_vertices());
     context.grading_rate = has_small_details ? parameters.recipe.grading : 0.;

@@ -84,7 +84,7 @@ public:
     in_vain_.clear();
     most_trials_ = 0;
     const std::size_t operations = mend([&]() { return faults_.find_crossings<ConcurrencyTag>(crossing); });
-    if (round_ == MAXIMUM_ROUNDS) crossing = faces_of(crossing_faces<ConcurrencyTag>(mesh_)).size();
+    if (round_ == MAXIMUM_ROUNDS) crossing = faults_.number_of_crossing_faces<ConcurrencyTag>();
     return operations;
   }
 

@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_SURROUNDINGS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SURROUNDINGS_H
+
+#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/crossings.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Box_intersection_d/Box_with_handle_d.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+// The faces outside of the range that are joined to its rim. No pass changes them; faces of the range shall not cross them.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+struct Surroundings
+{
+  using Index = Remeshing_mesh::Index;
+
+  std::vector<std::array<Index, 3>> faces;     // numbers of input vertices of the range, or ~i for points[i]
+  std::vector<Vector3> points;                 // in units of the flat mesh
+};
+
+class Mesh_in_surroundings;
+bool cross_each_other(const Mesh_in_surroundings& mesh, Corner_table::Index f, Corner_table::Index g);
+
+// The mesh together with its surroundings, whose faces and points have the names ~0, ~1, ...
+class Mesh_in_surroundings
+{
+public:
+  using Index = Remeshing_mesh::Index;
+
+  Mesh_in_surroundings(const Remeshing_mesh& mesh, const Surroundings& surroundings)
+    : mesh_(mesh), surroundings_(surroundings), faces_(surroundings.faces.size())
+  {
+    if (faces_.empty()) return;
+    std::vector<Index> on_rim(mesh.number_of_vertex_slots(), -1);             // by number in the input
+    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
+      if (!mesh.is_vertex(v) || mesh.input(v) < 0 || (mesh.marks(v) & Remeshing_mesh::NEXT_TO_OUTSIDE) == 0) continue;
+      if (std::size_t(mesh.input(v)) >= on_rim.size()) on_rim.resize(std::size_t(mesh.input(v)) + 1, -1);
+      on_rim[mesh.input(v)] = v;
+    }
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      for (int k = 0; k < 3; ++k) {
+        const Index v = surroundings.faces[f][k];
+        faces_[f].vertex[k] = v < 0 ? v : on_rim[v];
+      }
+  }
+
+  bool is_alone() const { return faces_.empty(); }
+
+  // What crossings.h asks of a surface.
+  const Corner_table::Face& face_record(Index f) const { return f >= 0 ? mesh_.face_record(f) : faces_[~f]; }
+  const Vector3& position(Index v) const { return v >= 0 ? mesh_.position(v) : surroundings_.points[~v]; }
+  bool is_pinched(Index v) const { return v < 0 || (mesh_.marks(v) & (Remeshing_mesh::PINCHED | Remeshing_mesh::NEXT_TO_OUTSIDE)) != 0; }
+
+  // The pairs of a face of the mesh and one of the surroundings that cross each other, in order.
+  std::vector<std::pair<Index, Index>> crossings() const
+  {
+    std::vector<std::pair<Index, Index>> result;
+    if (is_alone()) return result;
+    std::vector<Index> outside, inside;
+    Bounding_box all;
+    for (Index o = 0; o < Index(faces_.size()); ++o) {
+      outside.push_back(~o);
+      all += bounding_box(*this, ~o);
+    }
+    for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f)
+      if (mesh_.is_face(f) && do_overlap(bounding_box(*this, f), all)) inside.push_back(f);
+    std::vector<Named_box> inner = named_boxes(inside), outer = named_boxes(outside);
+    CGAL::box_intersection_d(inner.begin(), inner.end(), outer.begin(), outer.end(), [&](const Named_box& a, const Named_box& b) {
+      if (cross_each_other(*this, *a.handle(), *b.handle())) result.emplace_back(*a.handle(), *b.handle());
+    });
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // The faces of the surroundings that may cross one of these faces of the mesh.
+  std::vector<Index> faces_near(const std::vector<Index>& faces) const
+  {
+    std::vector<Index> result;
+    if (is_alone()) return result;
+    Bounding_box all;
+    for (const Index f : faces) all += bounding_box(*this, f);
+    for (Index o = 0; o < Index(faces_.size()); ++o)
+      if (do_overlap(bounding_box(*this, ~o), all)) result.push_back(~o);
+    return result;
+  }
+
+  // Whether face f of the mesh crosses one of the surroundings.
+  bool crosses(Index f) const
+  {
+    bool result = false;
+    for_each_crossing(*this, {f}, faces_near({f}), [&](Index, Index) { result = true; return false; });
+    return result;
+  }
+
+private:
+  using Named_box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Index*, CGAL::Box_intersection_d::ID_FROM_HANDLE>;
+
+  std::vector<Named_box> named_boxes(const std::vector<Index>& faces) const
+  {
+    std::vector<Named_box> result;
+    for (const Index& f : faces) {
+      const Bounding_box b = bounding_box(*this, f);
+      result.emplace_back(CGAL::Bbox_3(b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z), &f);
+    }
+    return result;
+  }
+
+  const Remeshing_mesh& mesh_;
+  const Surroundings& surroundings_;
+  std::vector<Corner_table::Face> faces_;
+};
+
+// A vertex of the user's may be several of the mesh: faces that have two points in common share an edge.
+inline bool cross_each_other(const Mesh_in_surroundings& mesh, Corner_table::Index f, Corner_table::Index g)
+{
+  const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
+  const auto is_shared = [&](Corner_table::Index v) {
+    return std::any_of(b, b + 3, [&](Corner_table::Index w) { return mesh.position(v) == mesh.position(w); }); };
+  return ((f >= 0 && g >= 0) || std::count_if(a, a + 3, is_shared) < 2) && cross_each_other<Mesh_in_surroundings>(mesh, f, g);
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_SURROUNDINGS_H
