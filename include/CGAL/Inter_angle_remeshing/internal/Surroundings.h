@@ -63,6 +63,7 @@ public:
   // What crossings.h asks of a surface.
   const Corner_table::Face& face_record(Index f) const { return f >= 0 ? mesh_.face_record(f) : faces_[~f]; }
   const Vector3& position(Index v) const { return v >= 0 ? mesh_.position(v) : surroundings_.points[~v]; }
+  // Whether v may be the same vertex of the user's as another one with its position.
   bool is_pinched(Index v) const { return v < 0 || (mesh_.marks(v) & (Remeshing_mesh::PINCHED | Remeshing_mesh::NEXT_TO_OUTSIDE)) != 0; }
 
   // The pairs of a face of the mesh and one of the surroundings that cross each other, in order.
