@@ -60,6 +60,7 @@ int main(int argc, char* argv[])
     return length * (0.5 + 0.1 * std::sqrt(CGAL::squared_distance(p, centre)) / length);
   };
   IAR::isotropic_remeshing(near_is_fine, graded);
-  std::cout << num_faces(graded) << " faces, finest at " << centre << "\n";
+  graded.collect_garbage();
+  std::cout << graded.number_of_faces() << " faces, finest at " << centre << "\n";
   return report.output_faces > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

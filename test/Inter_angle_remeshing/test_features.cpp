@@ -672,7 +672,7 @@ void a_range_and_other_types_will_do()
   Edge_map map = m.add_property_map<Edge, bool>("e:feature", true).first;
   CHECK(top.size() == 18 && IAR::detect_features(top, m, map) == 0);
   CHECK(IAR::detect_features(std::vector<Face>(), m, map) == 0);
-  CHECK_THROWS_WITH_TEXT(IAR::detect_features(top, m, map, -1), CGAL::Precondition_exception, "scale");
+  CHECK_THROWS_WITH_TEXT(IAR::detect_features(top, m, map, -1e-9), CGAL::Precondition_exception, "scale is -1e-09");
   CHECK_THROWS_WITH_TEXT(IAR::detect_features(top, m, map, std::numeric_limits<double>::infinity()),
                          CGAL::Precondition_exception, "scale");
 
@@ -1281,6 +1281,66 @@ void tiny_chamfers_are_merged()
   CHECK(keeps_all_corners(wide, m));
 }
 
+Mesh rod(const Point& from, const Point& to, double radius, std::size_t sides)
+{
+  const Vector along = to - from, any = std::abs(along.x()) < std::abs(along.z()) ? Vector(1, 0, 0) : Vector(0, 0, 1);
+  Vector x = CGAL::cross_product(along, any), y = CGAL::cross_product(along, x);
+  x = x / std::sqrt(x.squared_length());
+  y = y / std::sqrt(y.squared_length());
+  Mesh m;
+  std::vector<Vertex> start, end;
+  for(std::size_t i = 0; i < sides; ++i)
+  {
+    const double t = 2 * CGAL_PI * (double(i) + .13) / double(sides);
+    const Vector out = radius * (std::cos(t) * x + std::sin(t) * y);
+    start.push_back(m.add_vertex(from + out));
+    end.push_back(m.add_vertex(to + out));
+  }
+  const Vertex first = m.add_vertex(from), last = m.add_vertex(to);
+  for(std::size_t i = 0; i < sides; ++i)
+  {
+    const std::size_t j = (i + 1) % sides;
+    m.add_face(start[i], start[j], end[j]);
+    m.add_face(start[i], end[j], end[i]);
+    m.add_face(first, start[j], start[i]);
+    m.add_face(last, end[i], end[j]);
+  }
+  return m;
+}
+
+// A block with twelve bores upright and one along it, wherever chance puts them.
+Mesh drilled_block(unsigned seed)
+{
+  std::mt19937 random(seed);
+  const auto in = [&](double a, double b) { return a + (b - a) * (double(random()) / 4294967296.); };
+  Mesh block = meshes::to_mesh<Mesh>(meshes::cube(1));
+  for(const Vertex v : block.vertices())
+  {
+    const Point p = block.point(v);
+    block.point(v) = Point(2 * p.x() - 1, .7 * (2 * p.y() - 1), .3 * (2 * p.z() - 1));
+  }
+  for(int bore = 0; bore < 12; ++bore)
+  {
+    const double radius = in(.03, .12), x = in(-.9, .9), y = in(-.6, .6);
+    block = models::difference(block, rod(Point(x, y, -.5), Point(x, y, .5), radius, 24 + std::size_t(in(0, 40))));
+  }
+  return models::difference(block, rod(Point(-2, .1, 0), Point(2, .1, .02), .11, 48));
+}
+
+// Where bores meet and graze each other, many vertices of their rims are tiny distances apart. Merged to junctions they left needles between
+// these. (Measured: .6, .7 and 6 degrees, now 27, 33 and 33.)
+void curves_that_would_touch_stay_apart()
+{
+  for(const unsigned seed : {4u, 9u, 10u})
+  {
+    Mesh m = drilled_block(seed);
+    const Topology before = topology(m);
+    const auto report = IAR::isotropic_remeshing(.117, m);
+    CHECK(CGAL::is_valid_polygon_mesh(m) && topology(m) == before && report.crossing_faces == 0);
+    CHECK_MESSAGE(report.angles_after.minimum > 20, seed << ": " << report.angles_after.minimum);
+  }
+}
+
 // A plate that is thinner than that keeps its thickness: its rims are no chamfer.
 void thin_plates_do_not_become_flat()
 {
@@ -1838,8 +1898,8 @@ void one_rim_of_a_jagged_chamfer_is_a_feature()
   CHECK_MESSAGE(PMP::volume(m) > .9 * PMP::volume(blade), PMP::volume(m) << " of " << PMP::volume(blade));
 }
 
-// Borders of organic models have such details where they are jagged: few of the faces beside them are out of their bands then.
-// (Measured: 76 instead of 429, 6 of 40, 13 of 55.)
+// Borders of organic models have such details where they are jagged and their edges not short: few of the faces beside them are out of their
+// bands then. (Measured: 37 instead of 298, 151 of 400, 16 of 61, 1 of 14.)
 void grading_mends_jagged_borders()
 {
   IAR::Recipe recipe;
@@ -1847,7 +1907,7 @@ void grading_mends_jagged_borders()
   std::size_t out_with = 0, out_without = 0;
   std::vector<double> gains;
   for(const auto& [name, factor] : std::vector<std::pair<std::string, double>>{
-        {"elephant-with-holes", 2}, {"lion", 4}, {"mech-holes-shark", 4}})
+        {"elephant-with-holes", 2}, {"b9_mesh", 2}, {"polygon_mesh", 2}, {"mech-holes-shark", 2}})
   {
     Mesh graded = models::of_cgal(name), uniform = graded;
     if(meshes::is_small_run() && graded.number_of_faces() > 5000)
@@ -1858,14 +1918,14 @@ void grading_mends_jagged_borders()
     CHECK_MESSAGE(2 * with.number_of_faces_out_of_band < without.number_of_faces_out_of_band,
                   name << ": " << with.number_of_faces_out_of_band << ", " << without.number_of_faces_out_of_band);
     const double gain = with.angles_after.average - without.angles_after.average;
-    CHECK_MESSAGE(gain > 1, name << ": " << gain);
+    CHECK_MESSAGE(gain > .2, name << ": " << gain);
     gains.push_back(gain);
     out_with += with.number_of_faces_out_of_band;
     out_without += without.number_of_faces_out_of_band;
   }
   CHECK_MESSAGE(3 * out_with < out_without, out_with << ", " << out_without);
   const double gain = std::accumulate(gains.begin(), gains.end(), 0.);
-  CHECK_MESSAGE(gain > 2 * double(gains.size()), gain);
+  CHECK_MESSAGE(gain > double(gains.size()), gain);
   // Not where the edges that are short are protected: they say nothing about details.
   Mesh square = meshes::to_mesh<Mesh>(meshes::square(24)), plain = square;
   const auto protect = parameters::protect_constraints(true);
@@ -1904,6 +1964,58 @@ void jagged_seams_are_followed_at_the_scale_of_the_target()
           farthest = std::max(farthest, -patch[f] * ((m.point(v) - CGAL::ORIGIN) * normal));
       CHECK_MESSAGE(farthest < .5 * length + edge, factor << ": " << farthest / length);
     }
+}
+
+// So does the border of a scan that was trimmed triangle by triangle, where the target is long beside its edges: no farther off than .3 of
+// it. (Measured as it is followed exactly: angles from 1 degree, 1.3 to 3 times the faces.) It is where its edges are marked, and where they
+// are long; so is a border that is smooth.
+void jagged_borders_are_followed_at_the_scale_of_the_target()
+{
+  const Mesh ball = meshes::to_mesh<Mesh>(meshes::sphere(5));
+  for(const Vector& way : {Vector(.3, .5, .8), Vector(.1, -.9, .2), Vector(1, 1, 1)})
+  {
+    Mesh input = ball;
+    for(const Face f : std::vector<Face>(input.faces_begin(), input.faces_end()))
+    {
+      const Halfedge h = input.halfedge(f);
+      const Point c = CGAL::centroid(input.point(input.source(h)), input.point(input.target(h)), input.point(input.target(input.next(h))));
+      if((c - CGAL::ORIGIN) * way > .4 * std::sqrt(way.squared_length()))
+        CGAL::Euler::remove_face(h, input);
+    }
+    input.collect_garbage();
+    const double edge = mean_edge_length(input), of_area = 4 / std::sqrt(3.) * PMP::area(input);
+    for(const double factor : {3., 4., 6.})
+    {
+      Mesh m = input;
+      const auto report = IAR::isotropic_remeshing(factor * edge, m);
+      CHECK(CGAL::is_valid_polygon_mesh(m) && topology(m) == topology(input));
+      CHECK_MESSAGE(report.angles_after.minimum > 25 && report.angles_after.maximum < 115,
+                    factor << ": " << report.angles_after.minimum << ".." << report.angles_after.maximum);
+      CHECK_MESSAGE(double(m.number_of_faces()) < 1.25 * of_area / (factor * edge * factor * edge), factor << ": " << m.number_of_faces());
+      const double moved = distance(border(input), border(m));
+      CHECK_MESSAGE(moved < .31 * factor * edge, factor << ": " << moved / (factor * edge));
+    }
+    const double tolerance = .051;
+    Mesh fine = input, marked = input;
+    IAR::isotropic_remeshing(edge, fine);
+    CHECK_MESSAGE(distance(border(input), border(fine)) < tolerance * edge, distance(border(input), border(fine)) / edge);
+    auto is_marked = marked.add_property_map<Edge, bool>("e:marked", false).first;
+    for(const Edge e : marked.edges())
+      is_marked[e] = marked.is_border(e);
+    IAR::isotropic_remeshing(faces(marked), 4 * edge, marked, parameters::edge_is_constrained_map(is_marked));
+    CHECK_MESSAGE(distance(border(input), border(marked)) < tolerance * 4 * edge, distance(border(input), border(marked)) / (4 * edge));
+  }
+
+  Mesh wave = meshes::to_mesh<Mesh>(meshes::square(60));
+  for(const Vertex v : wave.vertices())
+  {
+    const Point p = wave.point(v);
+    wave.point(v) = Point(p.x() + .1 * std::sin(9 * p.y()), p.y() + .1 * std::sin(7 * p.x()), .2 * std::sin(5 * p.x()) * std::cos(6 * p.y()));
+  }
+  const Mesh smooth = wave;
+  const double length = 4 * mean_edge_length(wave);
+  IAR::isotropic_remeshing(length, wave);
+  CHECK_MESSAGE(distance(border(smooth), border(wave)) < .051 * length, distance(border(smooth), border(wave)) / length);
 }
 
 // A sheet of n by n squares of side 1, each with a round hole of 16 edges.
@@ -2573,6 +2685,7 @@ int main()
   slits_are_no_features();
   grading_mends_small_details();
   tiny_chamfers_are_merged();
+  curves_that_would_touch_stay_apart();
   thin_plates_do_not_become_flat();
   plates_and_bars_have_good_angles_at_long_targets();
   merging_makes_nothing_cross();
@@ -2595,6 +2708,7 @@ int main()
   grading_mends_jagged_borders();
   grading_mends_round_holes();
   jagged_seams_are_followed_at_the_scale_of_the_target();
+  jagged_borders_are_followed_at_the_scale_of_the_target();
   dense_curves_leave_no_needles();
   round_rims_are_coarsened();
   coarse_results_are_still_cad_models();

@@ -575,7 +575,7 @@ void distances_that_do_not_exist_are_refused()
   CHECK_THROWS_AS(IAR::surface_distance(line, good), Refusal, "the first mesh has no area");
   CHECK_THROWS_AS(IAR::surface_distance(good, quad), Refusal, "face number 0 of the second mesh is not a triangle");
   CHECK_THROWS_AS(IAR::surface_distance(good, good, parameters::number_of_points_on_faces(0)), Refusal, "at least 1");
-  CHECK_THROWS_AS(IAR::surface_distance(good, good, parameters::number_of_points_on_faces(-1)), Refusal, "at least 1");
+  CHECK_THROWS_AS(IAR::surface_distance(good, good, parameters::number_of_points_on_faces(-1)), Refusal, "is -1");
   CHECK_THROWS_AS(IAR::surface_distance(good, good, parameters::number_of_points_on_faces(0.5)), Refusal, "at least 1");
 }
 

@@ -540,7 +540,7 @@ void point_sets_that_are_none_are_refused()
   CHECK_THROWS_WITH_TEXT(Point_set_mls{Scan()}, CGAL::Precondition_exception, "no point");
   CHECK_THROWS_WITH_TEXT(Point_set_mls(one, 5), CGAL::Precondition_exception, "k is 5");
   CHECK_THROWS_WITH_TEXT(Point_set_mls(one, 20, 5), CGAL::Precondition_exception, "degree");
-  CHECK_THROWS_WITH_TEXT(Point_set_mls(one, 20, 2, -1), CGAL::Precondition_exception, "bandwidth");
+  CHECK_THROWS_WITH_TEXT(Point_set_mls(one, 20, 2, -1e-9), CGAL::Precondition_exception, "bandwidth is -1e-09");
   const Scan bad(1, {Point(1, std::numeric_limits<double>::quiet_NaN(), 3), Vector(0, 0, 1)});
   CHECK_THROWS_WITH_TEXT(Point_set_mls{bad}, CGAL::Precondition_exception, "not finite");
   // no more neighbors than there are points

@@ -198,6 +198,7 @@ void no_faces_are_refused_as_a_wish()
 {
   check_refused("the wanted number of faces is 0", [](Mesh& g) { IAR::isotropic_remeshing(IAR::Face_count(0), g); });
   check_refused("the wanted number of faces is 0", [](Mesh& g) { IAR::target_edge_length(faces(g), g, 0); });
+  check_refused("the wanted number of faces is 1e+18", [](Mesh& g) { IAR::isotropic_remeshing(IAR::Face_count(1e18), g); });
   {
     Mesh flat;
     flat.add_face(flat.add_vertex(Point(0, 0, 0)), flat.add_vertex(Point(1, 0, 0)), flat.add_vertex(Point(3, 0, 0)));

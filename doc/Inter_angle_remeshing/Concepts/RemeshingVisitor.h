@@ -26,6 +26,7 @@ target length, and counted from 0 again.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Inter_angle_remeshing::Default_visitor}
+\cgalHasModels{CGAL::Inter_angle_remeshing::Attribute_transfer}
 \cgalHasModelsEnd
 */
 class RemeshingVisitor

@@ -65,7 +65,7 @@ struct Recipe
   /// the largest number of flips in a glide: a sequence of flips that moves an irregular vertex until it meets
   /// another one and both become regular. 0 turns glides off, at most 16.
   unsigned glide_depth = 6;
-  /// how much the sum of squared valence deviations may rise on a glide's way before it falls
+  /// how much the sum of squared valence deviations may rise on a glide's way before it falls; below 0 it has to fall at once
   int glide_slack = 2;
   /// whether, from the second half of the iterations on, an inner vertex with less or more than six edges is measured against what its
   /// angles ask for, one edge for 60 degrees, instead of against six: at tips and saddles that are small beside the edges irregular
@@ -108,7 +108,7 @@ struct Recipe
   /// rounding error. They would stay, with needles between them. The visitor is not told, and the report does not count them. Where
   /// chains along the middle of fillets meet, see `fillet_width`, the distance is 0.35.
   /// A plate or slit that is as thin stays, whose sides look to opposite directions within 30 degrees, and so does what would make a
-  /// mesh cross itself that does not.
+  /// mesh cross itself that does not, and vertices within curves that would touch each other there again and again.
   /// Nothing is merged where `edge_is_constrained_map`, `sharpness_angle`, `face_patch_map`, a policy, a `false` in its place or a
   /// projection functor is handed over, or where features and borders may not be collapsed; vertices that may not move stay. 0 turns
   /// it off, at most 0.1.

@@ -118,7 +118,7 @@ What is a relief by this rule with a shorter length in place of `scale`, 0.7, 0.
 for `scale`, whose cube may hold a small part as a whole.
 
 Measured: of the edges over 40 degrees of fandisk.off with a noise of 15% of the edge length, 99% are found, and of what is
-found 99.7% is right. Of the some seventy models of \cgal that are not taken for CAD models, four have any feature, with at most
+found 99.7% is right. Of the some seventy models of \cgal that are not taken for CAD models, six have any feature, with at most
 0.8% of the edge length. Of ten organic models cut by three planes each, 94 to 100% of the rim are found.
 
 Complexity: linear in the number of faces, where ways across fillets look at two hundred faces at most, and on CAD models in the length of
@@ -161,7 +161,7 @@ std::size_t detect_features(const FaceRange& faces, const TriangleMesh& tmesh, E
   using Index = internal::Remeshing_mesh::Index;
   constexpr const char* CALLER = "detect_features()";
   if (!(scale >= 0) || !std::isfinite(scale))
-    internal::refuse(CALLER, "the scale is " + std::to_string(scale) + "; it must be finite and not negative");
+    internal::refuse(CALLER, "the scale is " + internal::to_text(scale) + "; it must be finite and not negative");
   const auto vpm = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                     get_const_property_map(CGAL::vertex_point, tmesh));
   using Vpm = std::decay_t<decltype(vpm)>;

@@ -177,7 +177,7 @@ number of faces of the range and of the result, per iteration; at vertices with 
     \cgalParamDefault{`Default_visitor`}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether each iteration, and the result, prints a line to `std::cout`}
+    \cgalParamDescription{whether each iteration, each finer level, and the result print a line to `std::cout`}
     \cgalParamType{bool}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -208,7 +208,7 @@ number of faces of the range and of the result, per iteration; at vertices with 
         points are equal; `length` is negative, not finite, or so small that the result could not be indexed (about 350
         million faces) or less than four times the distance between numbers in double precision as large as the coordinates, or
         as a field is 0, negative, not finite or too small anywhere; the surface of the projection functor is so large that the result could
-        not be indexed; the wanted number of faces is 0, or the range has no area for it; a vertex has more than 16383 faces; two edges of a
+        not be indexed; the wanted number of faces is 0 or could not be indexed, or the range has no area for it; a vertex has more than 16383 faces; two edges of a
         face are one; two protected edges join the same vertices; a member of the recipe, `sharpness_angle` or a number of iterations or
         relaxation steps is out of its range; or `Recipe::Surface::paper` is asked for without Eigen
 @throws CGAL::Postcondition_exception if the projection functor returns a point that is not finite, or further away than

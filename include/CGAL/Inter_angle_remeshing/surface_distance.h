@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/measures/Normalized_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/measures/one_sided_distance.h>
 #include <CGAL/Inter_angle_remeshing/internal/measures/surface_samples.h>
+#include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -76,7 +77,8 @@ Sampling_options sampling_options(const NamedParameters& np, const Sampling_opti
   const auto number = choose_parameter(get_parameter(np, internal_np::number_of_points_on_faces), defaults.number);
   const auto seed = choose_parameter(get_parameter(np, internal_np::random_seed), defaults.seed);
   if (!(number >= 1))
-    refuse("number_of_points_on_faces >= 1", "number_of_points_on_faces must be at least 1", __FILE__, __LINE__);
+    refuse("number_of_points_on_faces >= 1",
+           "number_of_points_on_faces is " + internal::to_text(double(number)) + "; it must be at least 1", __FILE__, __LINE__);
   return {std::size_t(number), std::uint64_t(seed)};
 }
 

@@ -76,7 +76,7 @@ public:
     if (k < 6) internal::refuse(CALLER, "k is " + std::to_string(k) + "; it must be at least 6");
     if (degree > 4) internal::refuse(CALLER, "the degree is " + std::to_string(degree) + "; it must be at most 4");
     if (!(bandwidth >= 0) || !std::isfinite(bandwidth))
-      internal::refuse(CALLER, "the bandwidth is " + std::to_string(bandwidth) + "; it must be finite and not negative");
+      internal::refuse(CALLER, "the bandwidth is " + internal::to_text(bandwidth) + "; it must be finite and not negative");
   }
 
   /// returns the projection of `p`.

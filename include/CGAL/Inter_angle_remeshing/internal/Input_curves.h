@@ -47,17 +47,21 @@ public:
   }
   // The point at arc length t; on a closed curve t may be any number.
   Vector3 point(Index curve, double t) const;
-  // A bound of the distance from the part of the curve between s and t to the segment from p to q, which lie there; a tenth of that where
-  // the curve is a jagged seam, and 0 where it is there for the iterations alone: these zigzag as the input's edges do.
+  // A bound of the distance from the part of the curve between s and t to the segment from p to q, which lie there; a part of that where
+  // the curve is jagged, and 0 where it is there for the iterations alone: these zigzag as the input's edges do.
   double deviation(Index curve, double s, double t, Vector3 p, Vector3 q) const;
 
 private:
+  // For .05 target lengths, the tolerance of curves, .5: the teeth of a seam are up to an edge high; and .3, as borders are looked at.
+  static constexpr double JAGGED_SEAM = 10, JAGGED_BORDER = 6;
+
   struct Curve
   {
     std::size_t begin, end;          // of its points
     double length;
     bool is_closed;                  // its last point is its first one again
-    bool is_passing, is_jagged;
+    bool is_passing;
+    double leeway;                   // how many times as far as others it may lie from its chords
   };
 
   struct Bend { Vector3 at_begin, at_end; };
@@ -121,8 +125,9 @@ inline void Input_curves::follow(Remeshing_mesh& mesh, Index v, Index h, std::ve
     if (u == v) { is_closed = true; break; }
     k = following;
   }
-  curves_.push_back({begin, points_.size(), arc_length_.back(), is_closed, mesh.has_flag(h < 0 ? ~h : h, Remeshing_mesh::PASSING),
-                     mesh.has_flag(h < 0 ? ~h : h, Remeshing_mesh::JAGGED)});
+  const Index side = h < 0 ? ~h : h;
+  curves_.push_back({begin, points_.size(), arc_length_.back(), is_closed, mesh.has_flag(side, Remeshing_mesh::PASSING),
+                     !mesh.has_flag(side, Remeshing_mesh::JAGGED) ? 1. : mesh.is_border(side) ? JAGGED_BORDER : JAGGED_SEAM});
   const Curve& c = curves_.back();
   guide_.resize(points_.size());
   std::size_t cell = begin;
@@ -185,8 +190,7 @@ inline double Input_curves::deviation(Index curve, double s, double t, Vector3 p
     if (arc_length_[i] + turns >= t) break;
     largest = (std::max)(largest, squared_distance_to_segment(points_[i], p, q));
   }
-  constexpr double OF_JAGGED = 0.1;      // .05 target lengths, the tolerance of curves, become .5: the teeth are up to an edge high
-  return (c.is_jagged ? OF_JAGGED : 1) * std::sqrt(largest);
+  return std::sqrt(largest) / c.leeway;
 }
 
 } // namespace internal

@@ -47,7 +47,7 @@ public:
   static constexpr std::uint32_t FOUND = 512;      // constrained because it was found to be a feature: the user did not mark it
   static constexpr std::uint32_t PASSING = 4096;   // constrained in the iterations alone
   static constexpr std::uint32_t SEAM = 32768;     // constrained because patches meet there, and for nothing else
-  static constexpr std::uint32_t JAGGED = 262144;  // of a chain of seams whose zigzag tells nothing
+  static constexpr std::uint32_t JAGGED = 262144;  // of a chain of seams or of the border whose zigzag tells nothing
 
   static constexpr Index NO_VERTEX = -1;
 

@@ -98,9 +98,9 @@ private:
   // How far from the middle an edge may be, as a part of the turn.
   static constexpr double LARGEST_IMBALANCE = 0.25;
   // Beside a crest, as far from its middle as it is wide, the surface turns by no more than so many degrees. Its middle is bent by this
-  // part of the mean at least, the chord between the unit normals over the mean altitude of the faces taken for the bend, or is an edge of
-  // so many degrees, as the rim of a plate whose sharp edges are not marked.
-  static constexpr double MOST_TURN_BESIDE_CREST = 30, LEAST_BEND = 0.5, SHARP = 60;
+  // part of the mean at least, the chord between the unit normals over the mean altitude of the faces taken for the bend, or is a sharp
+  // edge, of 60 degrees, as the rim of a plate whose sharp edges are not marked.
+  static constexpr double MOST_TURN_BESIDE_CREST = 30, LEAST_BEND = 0.5, SHARP_COSINE = 0.5;
   // In target lengths: chains, closed ones, and what each end takes that leads nowhere.
   static constexpr double LEAST_CHAIN = 1, LEAST_LOOP = 3, LENGTH_A_FREE_END = 4, CREST_LENGTH_A_FREE_END = 2;
   static constexpr int MOST_STEPS = 200;
@@ -122,12 +122,8 @@ private:
       if (mesh_.is_face(f)) sum += length(cross(along(4 * f), along(4 * f + 1))) / 2;
     return sum;
   }
-  // The unit vector at a right angle to h into its face, which has a normal.
-  Vector3 inward(Index h) const
-  {
-    const Vector3 d = cross(normal(h), along(h));
-    return (1 / length(d)) * d;
-  }
+  // The unit vector at a right angle to h, which has this length, into its face, which has a normal.
+  Vector3 inward(Index h, double length) const { return (1 / length) * cross(normal(h), along(h)); }
 
   bool is_curve(Index h) const { return state_[h] == State::chosen || state_[h] == State::feature; }
   void mark(Index h, State state)
@@ -175,30 +171,22 @@ inline bool Rounded_edge_finder::walk(Index h, double distance, Way& way) const
 {
   way.clear();
   if (normal(h) == Vector3()) return false;
-  Vector3 p = 0.5 * (mesh_.position(mesh_.origin(h)) + mesh_.position(mesh_.target(h))), direction = inward(h);
+  Vector3 p = 0.5 * (mesh_.position(mesh_.origin(h)) + mesh_.position(mesh_.target(h))), direction = inward(h, length(along(h)));
   double gone = 0;
   for (int step = 0; step < MOST_STEPS; ++step) {
-    double nearest = std::numeric_limits<double>::infinity();
-    Index exit = -1;
-    for (const Index k : {mesh_.next(h), mesh_.prev(h)}) {
-      const Vector3 side = cross(normal(k), along(k));
-      const double speed = -dot(direction, side);
-      if (!(speed > 0)) continue;
-      const double t = (std::max)(0., dot(p - mesh_.position(mesh_.origin(k)), side)) / speed;
-      if (t < nearest) {
-        nearest = t;
-        exit = k;
-      }
-    }
-    if (exit < 0) return false;
-    gone += nearest;
+    const Vector3 left = cross(normal(h), direction);
+    const Index exit = dot(left, mesh_.position(mesh_.apex(h)) - p) >= 0 ? mesh_.next(h) : mesh_.prev(h);
+    const Vector3 start = mesh_.position(mesh_.origin(exit)), edge = mesh_.position(mesh_.target(exit)) - start;
+    const double to_the_right = -dot(left, start - p), width = dot(left, edge);
+    if (!(width > 0)) return false;
+    const Vector3 q = start + (std::max)(0., to_the_right) / width * edge;
+    gone += (std::max)(0., dot(direction, q - p));
     if (gone >= distance) return true;
     h = mesh_.opposite(exit);
     if (h < 0 || state_[h] == State::feature || normal(h) == Vector3()) return false;
-    p += nearest * direction;
-    const Vector3 edge = (1 / length(along(h))) * along(h);
-    const double c = dot(direction, edge);
-    direction = c * edge + std::sqrt((std::max)(0., 1 - c * c)) * inward(h);
+    p = q;
+    const double l = length(edge), c = -dot(direction, edge) / l;
+    direction = (c / l) * along(h) + std::sqrt((std::max)(0., 1 - c * c)) * inward(h, l);
     way.push_back({gone, h});
   }
   return false;
@@ -243,8 +231,8 @@ inline double Rounded_edge_finder::imbalance_on_crest(Index h, double width)
   constexpr double none = std::numeric_limits<double>::infinity();
   const double reach = width * target_length(h);
   const std::array<Index, 2> sides = {h, mesh_.opposite(h)};
+  if (dot(normal(h), normal(sides[1])) > SHARP_COSINE && !is_bent(h, LEAST_BEND * LEAST_TURN_BACK * (CGAL_PI / 180) / reach)) return none;
   const double own = turn(normal(h), normal(sides[1]));
-  if (own < SHARP && !is_bent(h, LEAST_BEND * LEAST_TURN_BACK * (CGAL_PI / 180) / reach)) return none;
   std::array<Vector3, 2> at_foot;
   std::array<double, 2> turns;
   for (const int k : {0, 1}) {

@@ -5,6 +5,7 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_CLOSE_CURVE_VERTICES_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_CLOSE_CURVE_VERTICES_H
 
+#include <CGAL/Inter_angle_remeshing/internal/corners.h>
 #include <CGAL/Inter_angle_remeshing/internal/curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/thin_walls.h>
 
@@ -18,7 +19,8 @@
 
 // Merges vertices of curves that are tiny distances apart, before curves are followed. CAD systems export such: two corners where
 // one was meant, chamfers and steps as wide as a rounding error. Neither a corner nor a vertex that would have to change its curve
-// goes in a run, and the faces between them are needles whatever is done.
+// goes in a run, and the faces between them are needles whatever is done. A vertex within a curve becomes one with another one where their
+// curves do, all along. Where these would only touch, and again a tiny way on, as where bores graze each other, slivers would be left.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -32,15 +34,20 @@ class Close_curve_vertices
   using Index = Remeshing_mesh::Index;
 
 public:
-  // `is_corner` tells the corners of the curves, those of chamfers, too; `tolerance(v)`, how far the surface may move at a vertex.
+  // `is_corner` tells the corners of the curves, those of chamfers, too; `tolerance(v)`, how far the surface may move at a vertex;
+  // `stays_apart`, which vertices within curves are not merged.
   template <class Tolerance>
-  Close_curve_vertices(Remeshing_mesh& mesh, std::vector<char> is_corner, const Tolerance& tolerance)
-    : mesh_(mesh), is_corner_(std::move(is_corner)), tolerance_(mesh.number_of_vertex_slots(), 0),
-      shift_(mesh.number_of_vertex_slots(), 0), became_(mesh.number_of_vertex_slots())
+  Close_curve_vertices(Remeshing_mesh& mesh, std::vector<char> is_corner, const Tolerance& tolerance, const std::vector<char>& stays_apart)
+    : mesh_(mesh), is_corner_(std::move(is_corner)), stays_apart_(stays_apart), tolerance_(mesh.number_of_vertex_slots(), 0),
+      shift_(mesh.number_of_vertex_slots(), 0), became_(mesh.number_of_vertex_slots()), is_zipped_(mesh.number_of_vertex_slots(), 0),
+      edges_before_(mesh.number_of_vertex_slots(), 0)
   {
     std::iota(became_.begin(), became_.end(), 0);
-    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v)
-      if (mesh.is_vertex(v) && mesh.is_on_curve(v)) tolerance_[v] = tolerance(v);
+    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
+      if (!mesh.is_vertex(v) || !mesh.is_on_curve(v)) continue;
+      tolerance_[v] = tolerance(v);
+      edges_before_[v] = curve_edges_at(v);
+    }
   }
 
   // Whether there is anything to be merged, perhaps.
@@ -63,6 +70,33 @@ public:
     return v;
   }
 
+  // The vertices within curves that were merged where curves now touch, and touch again or have a corner no farther on than twice the distance
+  // up to which vertices are merged.
+  std::vector<Index> touching() const
+  {
+    constexpr double CLOSE = 2;
+    std::vector<char> is_touch(is_zipped_.size(), 0);
+    std::vector<Index> result;
+    for (Index v = 0; v < Index(is_zipped_.size()); ++v) {
+      const Index kept = became(v);
+      if (is_zipped_[v]) is_touch[kept] = curve_edges_at(kept) > (std::max)(2, edges_before_[kept]);
+    }
+    for (Index v = 0; v < Index(is_zipped_.size()); ++v) {
+      const Index kept = became(v);
+      if (!is_zipped_[v] || !is_touch[kept]) continue;
+      bool is_close = false;
+      for_each_curve_halfedge(mesh_, kept, [&](Index h) {
+        const double reach = CLOSE * tolerance_[kept];
+        walk_along_curve(mesh_, kept, mesh_.source(mesh_.opposite(h)), reach, [&](Index, Index b, double way) {
+          is_close = is_close || (way <= reach && b != kept && (is_touch[b] || is_corner_[b]));
+          return !is_close;
+        });
+      });
+      if (is_close) result.push_back(v);
+    }
+    return result;
+  }
+
 private:
   std::vector<std::pair<double, Index>> tiny_edges() const
   {
@@ -81,7 +115,9 @@ private:
     const bool is_a_on_curve = mesh_.is_on_curve(a), is_b_on_curve = mesh_.is_on_curve(b);
     if (!is_a_on_curve && !is_b_on_curve) return false;
     const double longest = !is_b_on_curve ? tolerance_[a] : !is_a_on_curve ? tolerance_[b] : (std::min)(tolerance_[a], tolerance_[b]);
-    const bool joins_curves = is_a_on_curve && is_b_on_curve && (!mesh_.is_on_curve_edge(h) || (is_corner_[a] && is_corner_[b]));
+    const bool joins_curves = is_a_on_curve && is_b_on_curve &&
+                              (mesh_.is_on_curve_edge(h) ? is_corner_[a] && is_corner_[b]
+                                                         : (is_corner_[a] && is_corner_[b]) || !(stays_apart_[a] || stays_apart_[b]));
     return mesh_.squared_edge_length(h) <= CGAL::square(joins_curves ? longest : ROUNDING * longest);
   }
 
@@ -117,12 +153,17 @@ private:
     return merge_source(first) || merge_source(second);
   }
 
+  int curve_edges_at(Index v) const
+  {
+    int edges = 0;
+    for_each_curve_halfedge(mesh_, v, [&](Index) { ++edges; });
+    return edges;
+  }
+
   int rank(Index v) const
   {
     constexpr int CORNER = 1 << 16, LOCKED = 1 << 17;
-    int edges = 0;
-    for_each_curve_halfedge(mesh_, v, [&](Index) { ++edges; });
-    return edges + (is_corner_[v] ? CORNER : 0) + (mesh_.is_locked(v) ? LOCKED : 0);
+    return curve_edges_at(v) + (is_corner_[v] ? CORNER : 0) + (mesh_.is_locked(v) ? LOCKED : 0);
   }
 
   bool merge_source(Index h)
@@ -130,6 +171,7 @@ private:
     const Index a = mesh_.source(h), b = mesh_.source(mesh_.opposite(h));
     const double shift = (std::max)(shift_[b], shift_[a] + length(mesh_.position(a) - mesh_.position(b)));
     if (shift > tolerance_[b] || !may_go(h) || !turns_no_face(h)) return false;
+    if (!is_corner_[a] || !is_corner_[b]) is_zipped_[a] = is_zipped_[b] = 1;
     shift_[b] = shift;
     became_[a] = b;
     is_corner_[b] = is_corner_[b] || is_corner_[a];
@@ -205,9 +247,12 @@ private:
 
   Remeshing_mesh& mesh_;
   std::vector<char> is_corner_;
+  const std::vector<char>& stays_apart_;     // by vertex
   std::vector<double> tolerance_;        // by vertex
   std::vector<double> shift_;            // by vertex: how far from it the farthest was that it stands for
   std::vector<Index> became_;            // by vertex: the one that it was merged into, or itself
+  std::vector<char> is_zipped_;          // by vertex: whether it was merged, it or the other one within a curve
+  std::vector<int> edges_before_;        // of curves, by vertex
 };
 
 } // namespace internal

@@ -8,7 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/close_curve_vertices.h>
 #include <CGAL/Inter_angle_remeshing/internal/corners.h>
 #include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
-#include <CGAL/Inter_angle_remeshing/internal/jagged_seams.h>
+#include <CGAL/Inter_angle_remeshing/internal/jagged_curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/settle_corners.h>
 
 #include <CGAL/tags.h>
@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// Designed curves are not jagged; where the fillets of a part are joined across a corner, they are. Crests and jagged seams, which are
-// marked here, are as jagged as the input's edges.
+// Designed curves are not jagged; where the fillets of a part are joined across a corner, they are. Crests, and the seams and borders
+// that are marked here, are as jagged as the input's edges.
 inline std::vector<double> scales_of_corners(Remeshing_mesh& mesh, const Input_kind& kind, double target)
 {
   constexpr double CREST_SCALE = 2;
@@ -30,7 +30,7 @@ inline std::vector<double> scales_of_corners(Remeshing_mesh& mesh, const Input_k
   for (const Remeshing_mesh::Index h : kind.rounded_edges.edges) scales[mesh.origin(h)] = scales[mesh.target(h)] = target;
   mesh.for_each_edge([&](Remeshing_mesh::Index h) {
     if (mesh.has_flag(h, Remeshing_mesh::PASSING)) scales[mesh.origin(h)] = scales[mesh.target(h)] = CREST_SCALE * target; });
-  if (target > 0) Jagged_seams(mesh).mark(target, scales);
+  if (target > 0) Jagged_curves(mesh, kind.is_cad).mark(target, scales);
   return scales;
 }
 
@@ -45,28 +45,35 @@ inline std::vector<char> are_vertices_of(const std::vector<std::pair<Remeshing_m
 }
 
 // `scales` are those of corners. Where the target length is long beside the cross section of a part, what is tiny is the part itself, whose
-// sides would cross each other: what makes a clean mesh do so is not merged, or nothing where that is not found in a few rounds.
+// sides would cross each other: what makes a clean mesh do so is not merged, or nothing where that is not found in a few rounds. Nor are
+// vertices within curves where these would only touch each other, and soon again.
 inline void merge_curve_vertices(Remeshing_mesh& mesh, const Input_kind& kind, const Target& target, double merging_distance,
                                  const std::vector<double>& scales)
 {
   using Index = Remeshing_mesh::Index;
-  constexpr int ROUNDS = 5;
+  constexpr int ROUNDS = 8, ROUNDS_OF_TOUCHING = 4;
   std::vector<char> is_corner = find_corners(mesh, scales, CHAMFER_COSINE), is_joint(mesh.number_of_vertex_slots(), 0);
   for (const Index v : kind.rounded_edges.joints) is_corner[v] = is_joint[v] = 1;
-  std::vector<char> stays(mesh.number_of_vertex_slots(), 0);
+  std::vector<char> stays(mesh.number_of_vertex_slots(), 0), stays_apart(mesh.number_of_vertex_slots(), 0);
   std::optional<Remeshing_mesh> before;
   for (int round = 1; round <= ROUNDS; ++round) {
-    Close_curve_vertices close_vertices(mesh, is_corner, [&](Index v) {
+    const auto tolerance = [&](Index v) {
       const double part = target.sizing.part_of_face(mesh.face_record(mesh.face(mesh.first(v))).source);
       return stays[v] ? 0. : (is_joint[v] ? Rounded_edges::JOINT_LENGTH : merging_distance) * target.length * part;
-    });
+    };
+    Close_curve_vertices close_vertices(mesh, is_corner, tolerance, stays_apart);
     if (!close_vertices.are_there()) return;
     if (!before) before = mesh;
     close_vertices.merge();
-    const auto crossing = crossing_faces<CGAL::Sequential_tag>(mesh);
-    if (crossing.empty() || (round == 1 && !crossing_faces<CGAL::Sequential_tag>(*before).empty())) return;
-    const std::vector<char> crosses = are_vertices_of(crossing, mesh);
-    for (Index v = 0; v < Index(stays.size()); ++v) stays[v] |= crosses[close_vertices.became(v)];
+    const std::vector<Index> touching = close_vertices.touching();
+    if (touching.empty()) {
+      const auto crossing = crossing_faces<CGAL::Sequential_tag>(mesh);
+      if (crossing.empty() || !crossing_faces<CGAL::Sequential_tag>(*before).empty()) return;
+      const std::vector<char> crosses = are_vertices_of(crossing, mesh);
+      for (Index v = 0; v < Index(stays.size()); ++v) stays[v] |= crosses[close_vertices.became(v)];
+    }
+    if (round >= ROUNDS_OF_TOUCHING) stays_apart.assign(stays_apart.size(), 1);
+    for (const Index v : touching) stays_apart[v] = 1;
     mesh = *before;
   }
 }

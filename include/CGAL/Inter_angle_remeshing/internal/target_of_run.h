@@ -88,6 +88,9 @@ inline void check_length(double length, double in_users_units, double area, doub
 inline void check_face_count(const Face_count& count)
 {
   if (count.value == 0) refuse(REMESHING, "the wanted number of faces is 0");
+  if (double(count.value) > MAXIMUM_NUMBER_OF_FACES)
+    refuse(REMESHING, "the wanted number of faces is " + to_text(double(count.value)) + "; at most " +
+                      to_text(MAXIMUM_NUMBER_OF_FACES) + " can be indexed");
 }
 
 // The same where there is no mesh to compare with.

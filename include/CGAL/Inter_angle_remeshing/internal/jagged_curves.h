@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_JAGGED_SEAMS_H
-#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_JAGGED_SEAMS_H
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_JAGGED_CURVES_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_JAGGED_CURVES_H
 
 #include <CGAL/Inter_angle_remeshing/internal/constraints.h>
 #include <CGAL/Inter_angle_remeshing/internal/curves.h>
@@ -14,7 +14,8 @@
 #include <vector>
 
 // Seams are borders of patches where nothing else is marked. Labels of faces, as a segmentation puts them, leave them jagged: they zigzag
-// from edge to edge, and go nearly straight over a few. That tells nothing about the object where the surface is smooth.
+// from edge to edge, and go nearly straight over a few. That tells nothing about the object where the surface is smooth. So it is with the
+// borders of scans, which end where the last whole triangle does, as soon as the target length is long beside their edges.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -40,42 +41,57 @@ inline double detour_of(const std::vector<Vector3>& points)
   return is_zigzag && by_four > 0 ? by_one / by_four : 1.;
 }
 
-// Finds the jagged seams of a mesh whose corners are still to be found.
-class Jagged_seams
+// Finds the jagged seams and borders of a mesh whose corners are still to be found.
+class Jagged_curves
 {
   using Index = Remeshing_mesh::Index;
 
   // Where an edge is sharper than 30 degrees, its place says something about the object; seams are smooth along this part of their
   // length.
   static constexpr double SHARP_COSINE = 0.866025403784439, SMOOTH_SHARE = 0.9;
+  // The mean edge of a jagged border is at most so many target lengths long; those of seams may be of any length.
+  static constexpr double LONGEST_BORDER_EDGE = 0.4;
   // Of corners, in target lengths along the course.
   static constexpr double SCALE = 2.5;
 
 public:
-  explicit Jagged_seams(Remeshing_mesh& mesh) : mesh_(mesh), is_passed_(4 * mesh.number_of_face_slots(), 0) {}
+  // `has_designed_borders`: these are none.
+  Jagged_curves(Remeshing_mesh& mesh, bool has_designed_borders)
+    : mesh_(mesh), has_designed_borders_(has_designed_borders), is_passed_(4 * mesh.number_of_face_slots(), 0)
+  {}
 
   // Marks them, and sets the scales of their corners, by vertex, for this target length.
   void mark(double target, std::vector<double>& scales)
   {
     for (Index h = 0; h < Index(is_passed_.size()); ++h) {
-      if (!mesh_.is_face(h >> 2) || (h & 3) == 3 || !is_seam(h) || is_passed_[h]) continue;
-      const std::vector<Index> seam = seam_through(h);
-      const double detour = is_smooth(seam) ? detour_of(points(seam)) : 1.;
+      if (!mesh_.is_face(h >> 2) || (h & 3) == 3 || !may_be_jagged(h) || is_passed_[h]) continue;
+      const std::vector<Index> line = line_through(h);
+      const double detour = tells_nothing(line, target) ? detour_of(points(line)) : 1.;
       if (!(detour > 1)) continue;
-      for (const Index k : seam) {
-        mesh_.add_flags(k, Remeshing_mesh::JAGGED);
-        for (const Index v : {mesh_.origin(k), mesh_.target(k)}) scales[v] = (std::max)(scales[v], SCALE * detour * target);
+      for (const Index k : line) {
+        mesh_.add_flags(side_with_face(k), Remeshing_mesh::JAGGED);
+        for (const Index v : {source(k), target_of(k)}) scales[v] = (std::max)(scales[v], SCALE * detour * target);
       }
     }
   }
 
 private:
-  bool is_seam(Index h) const { return h >= 0 && mesh_.has_flag(h, Remeshing_mesh::SEAM) && !mesh_.is_protected(h); }
+  // The half-edges of a line lead along it, those of a border on the border's side perhaps.
+  Index side_with_face(Index h) const { return h < 0 ? ~h : h; }
+  Index source(Index h) const { return mesh_.source(h); }
+  Index target_of(Index h) const { return mesh_.source(mesh_.opposite(h)); }
 
-  // The next edge of the seam from the target of h; h itself at its end.
+  bool may_be_jagged(Index h) const
+  {
+    const Index k = side_with_face(h);
+    if (mesh_.is_protected(k)) return false;
+    return mesh_.is_border(k) ? !has_designed_borders_ && !mesh_.is_constrained(k) : mesh_.has_flag(k, Remeshing_mesh::SEAM);
+  }
+
+  // The next edge of the line from the target of h; h itself at its end.
   Index following(Index h) const
   {
-    const Index v = mesh_.target(h), back = mesh_.opposite(h);
+    const Index v = target_of(h), back = mesh_.opposite(h);
     if (mesh_.is_locked(v)) return h;
     Index next = h;
     int edges = 0;
@@ -83,11 +99,12 @@ private:
       ++edges;
       if (k != back) next = k;
     });
-    return edges == 2 && is_seam(next) ? next : h;
+    const bool is_same_kind = mesh_.is_border(side_with_face(next)) == mesh_.is_border(side_with_face(h));
+    return edges == 2 && is_same_kind && may_be_jagged(next) ? next : h;
   }
 
   // Its half-edges, from end to end.
-  std::vector<Index> seam_through(Index h)
+  std::vector<Index> line_through(Index h)
   {
     Index first = mesh_.opposite(h);
     for (Index k = following(first); k != first && k != mesh_.opposite(h); k = following(first)) first = k;
@@ -95,32 +112,36 @@ private:
     std::vector<Index> result;
     for (Index k = first;;) {
       result.push_back(k);
-      is_passed_[k] = is_passed_[mesh_.opposite(k)] = 1;
+      for (const Index side : {k, mesh_.opposite(k)})
+        if (side >= 0) is_passed_[side] = 1;
       const Index next = following(k);
       if (next == k || next == first) return result;
       k = next;
     }
   }
 
-  bool is_smooth(const std::vector<Index>& seam) const
+  // Whether it tells nothing about the object, if it is jagged.
+  bool tells_nothing(const std::vector<Index>& line, double target) const
   {
     double all = 0, smooth = 0;
-    for (const Index h : seam) {
-      const double l = std::sqrt(mesh_.squared_edge_length(h));
+    for (const Index h : line) {
+      const double l = std::sqrt(mesh_.squared_edge_length(side_with_face(h)));
       all += l;
-      smooth += is_sharp(mesh_, h, SHARP_COSINE) ? 0 : l;
+      smooth += is_sharp(mesh_, side_with_face(h), SHARP_COSINE) ? 0 : l;
     }
+    if (mesh_.is_border(side_with_face(line.front()))) return all <= LONGEST_BORDER_EDGE * target * double(line.size());
     return smooth >= SMOOTH_SHARE * all;
   }
 
-  std::vector<Vector3> points(const std::vector<Index>& seam) const
+  std::vector<Vector3> points(const std::vector<Index>& line) const
   {
-    std::vector<Vector3> result = {mesh_.position(mesh_.origin(seam.front()))};
-    for (const Index h : seam) result.push_back(mesh_.position(mesh_.target(h)));
+    std::vector<Vector3> result = {mesh_.position(source(line.front()))};
+    for (const Index h : line) result.push_back(mesh_.position(target_of(h)));
     return result;
   }
 
   Remeshing_mesh& mesh_;
+  bool has_designed_borders_;
   std::vector<char> is_passed_;          // by half-edge
 };
 
@@ -128,4 +149,4 @@ private:
 } // namespace Inter_angle_remeshing
 } // namespace CGAL
 
-#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_JAGGED_SEAMS_H
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_JAGGED_CURVES_H
