@@ -172,7 +172,7 @@ void lengths_that_make_too_many_faces_are_refused()
   // which is 2.9e9 for 1e-4 and 2.9e8 for 3.2e-4; 3.6e8 can be had.
   for(const double length : {1e-4, 1e-9, 1e-100, 1e-200, 1e-320})
     check_refused("target edge length is " + to_text(length) + ", so small", [&](Mesh& g) { IAR::isotropic_remeshing(length, g); });
-  check_refused("so small", [&](Mesh& g) { IAR::isotropic_remeshing(IAR::Face_count(1000000000000), g); });
+  check_refused("the wanted number of faces is 1e+12", [&](Mesh& g) { IAR::isotropic_remeshing(IAR::Face_count(1000000000000), g); });
   // at another scale, where the length is no small number
   Mesh large = to_mesh<Mesh>(sphere(1).scaled(1e12));
   check_refused(large, "so small", [&](Mesh& g) { IAR::isotropic_remeshing(1., g); });
