@@ -33,7 +33,8 @@ namespace Inter_angle_remeshing {
 @brief interpolates values at three points linearly: the default of `Attribute_transfer`.
 
 For floating point numbers, `std::array`s of these, and types with a product with `double` and a sum, such as `CGAL::Vector_3`; for
-`CGAL::Point_2` and `CGAL::Point_3`, too, and for `CGAL::IO::Color`, whose channels are rounded. A combination of unit vectors is shorter than these.
+`CGAL::Point_2` and `CGAL::Point_3`, too, and for `CGAL::IO::Color`, whose channels are rounded. A combination of unit vectors is shorter
+than these.
 */
 struct Linear_interpolation
 {

@@ -70,30 +70,15 @@ public:
     return v;
   }
 
-  // The vertices within curves that were merged where curves now touch, and touch again or have a corner no farther on than twice the distance
-  // up to which vertices are merged.
+  // The vertices that were merged, they or what they became a part of within a curve, where curves now touch, and soon again.
   std::vector<Index> touching() const
   {
-    constexpr double CLOSE = 2;
     std::vector<char> is_touch(is_zipped_.size(), 0);
+    for (Index v = 0; v < Index(is_zipped_.size()); ++v)
+      if (const Index kept = became(v); is_zipped_[v]) is_touch[kept] = curve_edges_at(kept) > (std::max)(2, edges_before_[kept]);
     std::vector<Index> result;
-    for (Index v = 0; v < Index(is_zipped_.size()); ++v) {
-      const Index kept = became(v);
-      if (is_zipped_[v]) is_touch[kept] = curve_edges_at(kept) > (std::max)(2, edges_before_[kept]);
-    }
-    for (Index v = 0; v < Index(is_zipped_.size()); ++v) {
-      const Index kept = became(v);
-      if (!is_zipped_[v] || !is_touch[kept]) continue;
-      bool is_close = false;
-      for_each_curve_halfedge(mesh_, kept, [&](Index h) {
-        const double reach = CLOSE * tolerance_[kept];
-        walk_along_curve(mesh_, kept, mesh_.source(mesh_.opposite(h)), reach, [&](Index, Index b, double way) {
-          is_close = is_close || (way <= reach && b != kept && (is_touch[b] || is_corner_[b]));
-          return !is_close;
-        });
-      });
-      if (is_close) result.push_back(v);
-    }
+    for (Index v = 0; v < Index(is_zipped_.size()); ++v)
+      if (const Index kept = became(v); is_zipped_[v] && is_touch[kept] && has_close_corner(kept, is_touch)) result.push_back(v);
     return result;
   }
 
@@ -151,6 +136,22 @@ private:
     Index first = h, second = mesh_.opposite(h);
     if (rank(mesh_.source(first)) > rank(mesh_.source(second))) std::swap(first, second);
     return merge_source(first) || merge_source(second);
+  }
+
+  // Whether one of its curves comes to a corner, or to where curves touch, no farther from v than twice the distance up to which vertices are
+  // merged: with five times, curves are kept apart that chords then lead across each other.
+  bool has_close_corner(Index v, const std::vector<char>& is_touch) const
+  {
+    constexpr double CLOSE = 2;
+    const double reach = CLOSE * tolerance_[v];
+    bool result = false;
+    for_each_curve_halfedge(mesh_, v, [&](Index h) {
+      walk_along_curve(mesh_, v, mesh_.source(mesh_.opposite(h)), reach, [&](Index, Index u, double way) {
+        result = result || (way <= reach && u != v && (is_touch[u] || is_corner_[u]));
+        return !result;
+      });
+    });
+    return result;
   }
 
   int curve_edges_at(Index v) const
@@ -247,7 +248,7 @@ private:
 
   Remeshing_mesh& mesh_;
   std::vector<char> is_corner_;
-  const std::vector<char>& stays_apart_;     // by vertex
+  const std::vector<char>& stays_apart_; // by vertex
   std::vector<double> tolerance_;        // by vertex
   std::vector<double> shift_;            // by vertex: how far from it the farthest was that it stands for
   std::vector<Index> became_;            // by vertex: the one that it was merged into, or itself

@@ -70,7 +70,7 @@ public:
       if (!(detour > 1)) continue;
       for (const Index k : line) {
         mesh_.add_flags(side_with_face(k), Remeshing_mesh::JAGGED);
-        for (const Index v : {source(k), target_of(k)}) scales[v] = (std::max)(scales[v], SCALE * detour * target);
+        for (const Index v : {mesh_.source(k), end_of(k)}) scales[v] = (std::max)(scales[v], SCALE * detour * target);
       }
     }
   }
@@ -78,8 +78,7 @@ public:
 private:
   // The half-edges of a line lead along it, those of a border on the border's side perhaps.
   Index side_with_face(Index h) const { return h < 0 ? ~h : h; }
-  Index source(Index h) const { return mesh_.source(h); }
-  Index target_of(Index h) const { return mesh_.source(mesh_.opposite(h)); }
+  Index end_of(Index h) const { return mesh_.source(mesh_.opposite(h)); }
 
   bool may_be_jagged(Index h) const
   {
@@ -91,7 +90,7 @@ private:
   // The next edge of the line from the target of h; h itself at its end.
   Index following(Index h) const
   {
-    const Index v = target_of(h), back = mesh_.opposite(h);
+    const Index v = end_of(h), back = mesh_.opposite(h);
     if (mesh_.is_locked(v)) return h;
     Index next = h;
     int edges = 0;
@@ -135,8 +134,8 @@ private:
 
   std::vector<Vector3> points(const std::vector<Index>& line) const
   {
-    std::vector<Vector3> result = {mesh_.position(source(line.front()))};
-    for (const Index h : line) result.push_back(mesh_.position(target_of(h)));
+    std::vector<Vector3> result = {mesh_.position(mesh_.source(line.front()))};
+    for (const Index h : line) result.push_back(mesh_.position(end_of(h)));
     return result;
   }
 
