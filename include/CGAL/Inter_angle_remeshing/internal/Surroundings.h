@@ -6,11 +6,8 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SURROUNDINGS_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
 #include <CGAL/Inter_angle_remeshing/internal/crossings.h>
-
-#include <CGAL/Bbox_3.h>
-#include <CGAL/Box_intersection_d/Box_with_handle_d.h>
-#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <array>
@@ -69,8 +66,7 @@ public:
   // The pairs of a face of the mesh and one of the surroundings that cross each other, in order.
   std::vector<std::pair<Index, Index>> crossings() const
   {
-    std::vector<std::pair<Index, Index>> result;
-    if (is_alone()) return result;
+    if (is_alone()) return {};
     std::vector<Index> outside, inside;
     Bounding_box all;
     for (Index o = 0; o < Index(faces_.size()); ++o) {
@@ -79,12 +75,7 @@ public:
     }
     for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f)
       if (mesh_.is_face(f) && do_overlap(bounding_box(*this, f), all)) inside.push_back(f);
-    std::vector<Named_box> inner = named_boxes(inside), outer = named_boxes(outside);
-    CGAL::box_intersection_d(inner.begin(), inner.end(), outer.begin(), outer.end(), [&](const Named_box& a, const Named_box& b) {
-      if (cross_each_other(*this, *a.handle(), *b.handle())) result.emplace_back(*a.handle(), *b.handle());
-    });
-    std::sort(result.begin(), result.end());
-    return result;
+    return crossing_faces(*this, inside, outside);
   }
 
   // The faces of the surroundings that may cross one of these faces of the mesh.
@@ -108,18 +99,6 @@ public:
   }
 
 private:
-  using Named_box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Index*, CGAL::Box_intersection_d::ID_FROM_HANDLE>;
-
-  std::vector<Named_box> named_boxes(const std::vector<Index>& faces) const
-  {
-    std::vector<Named_box> result;
-    for (const Index& f : faces) {
-      const Bounding_box b = bounding_box(*this, f);
-      result.emplace_back(CGAL::Bbox_3(b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z), &f);
-    }
-    return result;
-  }
-
   const Remeshing_mesh& mesh_;
   const Surroundings& surroundings_;
   std::vector<Corner_table::Face> faces_;

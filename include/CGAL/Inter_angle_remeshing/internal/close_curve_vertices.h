@@ -70,6 +70,15 @@ public:
     return v;
   }
 
+  // Those that were merged into others, and these, by vertex.
+  std::vector<char> are_merged() const
+  {
+    std::vector<char> result(became_.size(), 0);
+    for (Index v = 0; v < Index(became_.size()); ++v)
+      if (became_[v] != v) result[v] = result[became(v)] = 1;
+    return result;
+  }
+
   // The vertices that were merged, they or what they became a part of within a curve, where curves now touch, and soon again.
   std::vector<Index> touching() const
   {

@@ -31,6 +31,22 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
+// The handle leads to the face's place in a list.
+using Box_of_face =
+  CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Corner_table::Index*, CGAL::Box_intersection_d::ID_FROM_HANDLE>;
+
+template <class Surface>
+std::vector<Box_of_face> boxes_of_faces(const Surface& mesh, const std::vector<Corner_table::Index>& faces)
+{
+  std::vector<Box_of_face> result;
+  result.reserve(faces.size());
+  for (const Corner_table::Index& f : faces) {
+    const Bounding_box b = bounding_box(mesh, f);
+    result.emplace_back(CGAL::Bbox_3(b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z), &f);
+  }
+  return result;
+}
+
 // `Surface` is a `Corner_table` with position().
 template <class ConcurrencyTag, class Surface>
 class Crossing_finder
@@ -166,13 +182,8 @@ private:
   // Slower, but for faces of any sizes.
   void find_by_boxes(std::vector<std::pair<Index, Index>>& found) const
   {
-    using Named_box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Index*, CGAL::Box_intersection_d::ID_FROM_HANDLE>;
-    std::vector<Named_box> boxes;
-    for (const Index& f : faces_) {
-      const Bounding_box b = bounding_box(mesh_, f);
-      boxes.emplace_back(CGAL::Bbox_3(b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z), &f);
-    }
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Named_box& a, const Named_box& b) {
+    std::vector<Box_of_face> boxes = boxes_of_faces(mesh_, faces_);
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box_of_face& a, const Box_of_face& b) {
       const Index f = *a.handle(), g = *b.handle();
       if (cross_each_other(mesh_, f, g)) found.emplace_back((std::min)(f, g), (std::max)(f, g));
     });
@@ -270,6 +281,23 @@ template <class ConcurrencyTag, class Surface>
 std::vector<std::pair<Corner_table::Index, Corner_table::Index>> crossing_faces(const Surface& surface)
 {
   return Crossing_finder<ConcurrencyTag, Surface>(surface).find();
+}
+
+// The pairs of one of `faces` and one of `others` that cross each other, in order; of two that are in both lists, both pairs.
+template <class Surface>
+std::vector<std::pair<Corner_table::Index, Corner_table::Index>> crossing_faces(const Surface& surface,
+                                                                                const std::vector<Corner_table::Index>& faces,
+                                                                                const std::vector<Corner_table::Index>& others)
+{
+  std::vector<std::pair<Corner_table::Index, Corner_table::Index>> result;
+  std::vector<Box_of_face> boxes = boxes_of_faces(surface, faces), boxes_of_others = boxes_of_faces(surface, others);
+  CGAL::box_intersection_d(boxes.begin(), boxes.end(), boxes_of_others.begin(), boxes_of_others.end(),
+                           [&](const Box_of_face& a, const Box_of_face& b) {
+    const Corner_table::Index f = *a.handle(), g = *b.handle();
+    if (f != g && cross_each_other(surface, f, g)) result.emplace_back(f, g);
+  });
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
 } // namespace internal

@@ -11,8 +11,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/jagged_curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/settle_corners.h>
 
-#include <CGAL/tags.h>
-
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -34,18 +33,22 @@ inline std::vector<double> scales_of_corners(Remeshing_mesh& mesh, const Input_k
   return scales;
 }
 
-inline std::vector<char> are_vertices_of(const std::vector<std::pair<Remeshing_mesh::Index, Remeshing_mesh::Index>>& faces,
-                                         const Remeshing_mesh& mesh)
+// The faces of `mesh` with such a vertex that cross others, as pairs with these.
+template <class Predicate>
+std::vector<std::pair<Remeshing_mesh::Index, Remeshing_mesh::Index>> crossings_at(const Remeshing_mesh& mesh, const Predicate& is_vertex)
 {
-  std::vector<char> result(mesh.number_of_vertex_slots(), 0);
-  for (const auto& [f, g] : faces)
-    for (const Remeshing_mesh::Index x : {f, g})
-      for (const Remeshing_mesh::Index v : mesh.face_record(x).vertex) result[v] = 1;
-  return result;
+  std::vector<Remeshing_mesh::Index> all, faces;
+  for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(mesh.number_of_face_slots()); ++f) {
+    if (!mesh.is_face(f)) continue;
+    all.push_back(f);
+    const auto& corner = mesh.face_record(f).vertex;
+    if (std::any_of(corner, corner + 3, is_vertex)) faces.push_back(f);
+  }
+  return crossing_faces(mesh, faces, all);
 }
 
 // `scales` are those of corners. Where the target length is long beside the cross section of a part, what is tiny is the part itself, whose
-// sides would cross each other: what makes a clean mesh do so is not merged, or nothing where that is not found in a few rounds. Nor are
+// sides would cross each other: what makes faces do so that did not is not merged, or nothing where that is not found in a few rounds. Nor are
 // vertices within curves where these would only touch each other, and soon again.
 inline void merge_curve_vertices(Remeshing_mesh& mesh, const Input_kind& kind, const Target& target, double merging_distance,
                                  const std::vector<double>& scales)
@@ -67,9 +70,14 @@ inline void merge_curve_vertices(Remeshing_mesh& mesh, const Input_kind& kind, c
     close_vertices.merge();
     const std::vector<Index> touching = close_vertices.touching();
     if (touching.empty()) {
-      const auto crossing = crossing_faces<CGAL::Sequential_tag>(mesh);
-      if (crossing.empty() || !crossing_faces<CGAL::Sequential_tag>(*before).empty()) return;
-      const std::vector<char> crosses = are_vertices_of(crossing, mesh);
+      const std::vector<char> is_merged = close_vertices.are_merged();
+      const auto is_one = [&](Index v) { return is_merged[v] != 0; };
+      const auto crossings = crossings_at(mesh, is_one);
+      if (crossings.empty() || !crossings_at(*before, is_one).empty()) return;
+      std::vector<char> crosses(stays.size(), 0);
+      for (const auto& [f, g] : crossings)
+        for (const Index x : {f, g})
+          for (const Index v : mesh.face_record(x).vertex) crosses[v] = 1;
       for (Index v = 0; v < Index(stays.size()); ++v) stays[v] |= crosses[close_vertices.became(v)];
     }
     if (round >= ROUNDS_OF_TOUCHING) stays_apart.assign(stays_apart.size(), 1);
