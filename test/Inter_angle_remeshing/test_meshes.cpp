@@ -19,6 +19,7 @@
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include "check.h"
@@ -1532,7 +1533,90 @@ void levels_are_left_out_where_they_are_not_wanted()
   CHECK(run(parameters::do_split([](const auto&) { return true; })).first == 0);
   CHECK(run(parameters::do_collapse(false)).first == 0);
   CHECK(run(parameters::do_flip([](const auto&) { return true; })).first == 0);
-  CHECK(run(parameters::protect_constraints(true)).first == 0);
+  CHECK(run(parameters::protect_constraints(true)).first == 2);
+}
+
+// Those with a smaller angle, in degrees.
+std::size_t number_of_faces_under(double angle, const Mesh& m)
+{
+  const auto is_under = [&](Mesh::Face_index f) {
+    const auto h = m.halfedge(f);
+    const Point &p = m.point(m.source(h)), &q = m.point(m.target(h)), &r = m.point(m.target(m.next(h)));
+    return (std::min)({CGAL::approximate_angle(p, q, r), CGAL::approximate_angle(q, r, p), CGAL::approximate_angle(r, p, q)}) < angle;
+  };
+  return std::size_t(std::count_if(m.faces_begin(), m.faces_end(), is_under));
+}
+
+// On coarser levels, too, protected edges are not split, as a visitor sees; the faces beside them are as good as without levels. They are
+// the rim of a range, or marked in a whole mesh. Where they have the target length, they are too short beside the edges of a level.
+void protected_edges_stay_whole_on_coarser_levels()
+{
+  struct Protected_case { const char* name; bool is_range, are_short; };
+  const Mesh& knot = mesh_of_cgal("knot1");
+  const double length = .25 * mean_edge_length(knot);
+  const auto is_in_half = [](const Mesh& m, Mesh::Face_index f) {
+    double sum = 0;
+    for(const auto v : m.vertices_around_face(m.halfedge(f)))
+      sum += m.point(v).x();
+    return sum > 0;
+  };
+  const auto places_of_marked = [](const Mesh& m, const auto& is_marked) {
+    std::set<std::pair<meshes::Bits, meshes::Bits>> result;
+    for(const Edge e : m.edges())
+      if(is_marked(e))
+      {
+        const meshes::Bits p = meshes::bits(m.point(m.vertex(e, 0))), q = meshes::bits(m.point(m.vertex(e, 1)));
+        result.insert({(std::min)(p, q), (std::max)(p, q)});
+      }
+    return result;
+  };
+  for(const Protected_case& c : {Protected_case{"rim of a range", true, false}, Protected_case{"marked edges", false, false},
+                                 Protected_case{"short marked edges", false, true}})
+  {
+    Mesh input = knot;
+    const auto map = Random_case::edge_map(input);
+    std::vector<Mesh::Face_index> range;
+    for(const auto f : input.faces())
+      if(!c.is_range || is_in_half(input, f))
+        range.push_back(f);
+    for(const Edge e : input.edges())
+      map[e] = is_in_half(input, input.face(input.halfedge(e, 0))) != is_in_half(input, input.face(input.halfedge(e, 1)));
+    if(c.are_short)
+    {
+      std::vector<Edge> marked;
+      std::copy_if(input.edges_begin(), input.edges_end(), std::back_inserter(marked), [&](Edge e) { return map[e]; });
+      PMP::split_long_edges(marked, length, input, parameters::edge_is_constrained_map(map));
+      range.assign(input.faces_begin(), input.faces_end());
+    }
+    const auto marked = places_of_marked(input, [&](Edge e) { return map[e]; });
+    const auto run = [&](auto tag, bool multi_level, Pass_counter& passes, Mesh& m) {
+      m = input;
+      const auto marks = Random_case::edge_map(m);
+      if(c.is_range)
+        for(const Edge e : m.edges())
+          marks[e] = false;
+      return IAR::isotropic_remeshing<decltype(tag)>(range, length, m,
+        IAR::recipe(with_levels(multi_level), parameters::sharpness_angle(180).edge_is_constrained_map(marks)
+                                                .protect_constraints(!c.is_range).visitor(std::ref(passes))));
+    };
+    Mesh output, directly, in_parallel;
+    Pass_counter passes, direct_passes, parallel_passes;
+    const IAR::Remeshing_report report = run(CGAL::Sequential_tag(), true, passes, output);
+    run(CGAL::Sequential_tag(), false, direct_passes, directly);
+    run(CGAL::Parallel_if_available_tag(), true, parallel_passes, in_parallel);
+    CHECK_MESSAGE(direct_passes.levels == 0 && passes.levels == (c.are_short ? 0 : 2), c.name << ": " << passes.levels);
+    CHECK_MESSAGE(passes.announced == passes.made + passes.made_at_last && passes.made == report.splits, c.name);
+    CHECK_MESSAGE(meshes::Picture<Mesh>(in_parallel) == meshes::Picture<Mesh>(output), c.name);
+    if(!check_same_shape(output, input, c.name))
+      continue;
+    const auto all = places_of_marked(output, [](Edge) { return true; });
+    CHECK_MESSAGE(!marked.empty() && std::includes(all.begin(), all.end(), marked.begin(), marked.end()), c.name);
+    CHECK_MESSAGE(!does_self_intersect(output), c.name);
+    const std::size_t poor = number_of_faces_under(25, output), direct_poor = number_of_faces_under(25, directly);
+    CHECK_MESSAGE(10 * poor <= 13 * direct_poor + 100, c.name << ": " << poor << ", " << direct_poor);
+    const auto angles = IAR::inter_angle_statistics(output), direct = IAR::inter_angle_statistics(directly);
+    CHECK_MESSAGE(angles.average > direct.average - .3, c.name << ": " << angles.average << ", " << direct.average);
+  }
 }
 
 void a_run_cancelled_before_its_finest_level_changes_nothing()
@@ -1608,6 +1692,7 @@ int main(int argc, char* argv[])
   fine_targets_are_reached_from_coarser_levels();
   coarser_levels_lose_no_corners();
   levels_are_left_out_where_they_are_not_wanted();
+  protected_edges_stay_whole_on_coarser_levels();
   a_run_cancelled_before_its_finest_level_changes_nothing();
   return result();
 }

@@ -176,6 +176,19 @@ public:
     return spots.is_done();
   }
 
+  // Iterates around protected edges, beside which subdivision does not cut faces into four.
+  void mend_beside_protected_edges()
+  {
+    std::vector<Index> ends;
+    mesh_.for_each_edge([&](Index h) {
+      if (mesh_.is_protected(h)) ends.insert(ends.end(), {mesh_.origin(h), mesh_.target(h)}); });
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    if (ends.empty()) return;
+    Spot_iteration<ConcurrencyTag> spots(context_, relaxation_);
+    run(Pass::mend, [&]() { return spots.run_around(std::move(ends), curve_tolerance(), report_); });
+  }
+
   void remove_low_valences()
   {
     if (!context_.collapse_rule.is_never())

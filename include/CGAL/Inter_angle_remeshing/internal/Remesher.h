@@ -89,19 +89,11 @@ private:
   // Levels pay where the faces that come out of the iterations can be cut into four as they are.
   void choose_levels()
   {
-    if (!recipe_.multi_level || !context_.may_subdivide || recipe_.sweeps == 0 || context_.is_graded() ||
-        has_protected_edges()) return;
+    if (!recipe_.multi_level || !context_.may_subdivide || recipe_.sweeps == 0 || context_.is_graded()) return;
     const Coarse_levels coarse_levels = Coarse_levels::measure<ConcurrencyTag>(mesh_, context_.target_length);
     clock_.set_levels(coarse_levels.number(context_.target_length));
     if (clock_.levels() > 0 && !is_surface_far(context_))
       held_ = coarse_levels.bent_vertices(std::ldexp(context_.target_length, int(clock_.levels())));
-  }
-
-  bool has_protected_edges() const
-  {
-    for (std::size_t f = 0; f < mesh_.number_of_face_slots(); ++f)
-      if (mesh_.has_protected_edge(Index(f))) return true;
-    return false;
   }
 
   // Returns false, with everything as it was before, where that has left faces, crossings, or distances from curves or corners, that
@@ -145,6 +137,7 @@ private:
       if (cuts_through_itself()) return;
       go_to_finer_level();
     }
+    if (goes_on()) passes_.mend_beside_protected_edges();
     if (goes_on() && recipe_.clean_up) clean_up_.run();
   }
 

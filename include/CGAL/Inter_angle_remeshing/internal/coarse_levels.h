@@ -6,8 +6,11 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_COARSE_LEVELS_H
 
 #include <CGAL/Inter_angle_remeshing/internal/bent_vertices.h>
+#include <CGAL/Inter_angle_remeshing/internal/curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -31,6 +34,8 @@ class Coarse_levels
   // Where more than this part of the vertices were held, with corners and others that stay anyway, they would stand too close
   // together for the faces between them.
   static constexpr double LARGEST_SHARE = 0.015;
+  // How long edges may be beside protected ones, which stay as they are, in lengths of these.
+  static constexpr double BESIDE_PROTECTED = 3;
 
 public:
   template <class ConcurrencyTag>
@@ -43,7 +48,7 @@ public:
     const std::size_t n = mesh.number_of_vertex_slots();
     for_each_block<ConcurrencyTag>(n, SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (Index v = Index(begin); v < Index(end); ++v)
-        if (mesh.is_locked(v)) result.longest_edges_[v] = 0;
+        if (mesh.is_locked(v)) result.longest_edges_[v] = longest_edges_beside_protected(mesh, v);
         else if (mesh.is_free(v)) result.longest_edges_[v] = longest_edges_at(mesh, v);
     });
     return result;
@@ -86,6 +91,16 @@ private:
     const Star_shape star = star_shape(mesh, v);
     if (star.bend > BENT) return 0;
     return star.bend > 0 ? BENT / star.bend * star.mean_edge_length : UNBENT;
+  }
+
+  // The same at a locked vertex: 0 where it is none of protected edges.
+  static double longest_edges_beside_protected(const Remeshing_mesh& mesh, Index v)
+  {
+    double shortest = UNBENT;
+    for_each_curve_halfedge(mesh, v, [&](Index h) {
+      const Index side = h < 0 ? ~h : h;
+      if (mesh.is_protected(side)) shortest = (std::min)(shortest, std::sqrt(mesh.squared_edge_length(side))); });
+    return shortest < UNBENT ? BESIDE_PROTECTED * shortest : 0;
   }
 
   double mean_length_ = 0;

@@ -10,6 +10,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/flip_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/folds.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh_regions.h>
 #include <CGAL/Inter_angle_remeshing/internal/relax_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
 
@@ -34,6 +35,8 @@ inline bool is_poor_face(const Remeshing_context& context, Remeshing_mesh::Index
   return !band.holds(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])) || fold_violation(context, f) > 0;
 }
 
+constexpr int SPOT_REACH = 6;
+
 template <class ConcurrencyTag>
 class Spot_iteration
 {
@@ -41,11 +44,12 @@ class Spot_iteration
 
   // A face with an angle out of this band, in degrees, is more than sweeps and the polish can mend,
   static constexpr double LOWER_ANGLE = 30, UPPER_ANGLE = 105;
-  // and so may be the vertices within so many edges of it.
-  static constexpr int REACH = 6;
+  // and so may be the vertices within SPOT_REACH edges of it.
   static constexpr int ROUNDS = 12;
   // So many rounds without fewer poor faces than ever before are the last ones.
   static constexpr int PATIENCE = 4;
+  // Around given vertices, so many: as many as there are iterations by default.
+  static constexpr int ROUNDS_AROUND = 10;
   static constexpr unsigned SWEEPS = 5;
   // Where more than this part of the vertices belongs to spots, they are no spots: the mesh is one that needs the sweeps of all.
   static constexpr double LARGEST_SHARE = 0.02;
@@ -72,18 +76,23 @@ public:
       find_region();
       if (double(region_.movable) > LARGEST_SHARE * double(mesh_.number_of_live_vertices())) break;
       count = (std::max)(count, region_.movable);
-      split_and_collapse(report);
-      keep_seeds();
-      find_region();
-      flip(report);
-      find_region();             // flips change who is near
-      relaxation_.run<CGAL::Sequential_tag>(mesh_, context_.projector, SWEEPS, Pull_back::after_last_sweep,
-                                                     curve_tolerance, &region_);
+      iterate(curve_tolerance, report);
       find_seeds();
       stalled = seeds_.size() < fewest ? 0 : stalled + 1;
       fewest = (std::min)(fewest, seeds_.size());
     }
     return count;
+  }
+
+  // Around these vertices, whatever their faces are. Returns the number of vertices in the spots.
+  std::size_t run_around(std::vector<Index> vertices, double curve_tolerance, Remeshing_report& report)
+  {
+    seeds_ = std::move(vertices);
+    for (int round = 0; round < ROUNDS_AROUND; ++round) {
+      find_region();
+      iterate(curve_tolerance, report);
+    }
+    return region_.movable;
   }
 
 private:
@@ -104,11 +113,22 @@ private:
     for (const Index v : seeds_)
       if (mesh_.is_vertex(v)) add(v);
     std::size_t begin = 0;
-    for (int ring = 0; ring <= REACH; ++ring) {
+    for (int ring = 0; ring <= SPOT_REACH; ++ring) {
       const std::size_t end = found.size();
       region_.movable = end;
       for (; begin < end; ++begin) mesh_.for_each_neighbor(found[begin], add);
     }
+  }
+
+  // On the region that was found.
+  void iterate(double curve_tolerance, Remeshing_report& report)
+  {
+    split_and_collapse(report);
+    keep_seeds();
+    find_region();
+    flip(report);
+    find_region();               // flips change who is near
+    relaxation_.run<CGAL::Sequential_tag>(mesh_, context_.projector, SWEEPS, Pull_back::after_last_sweep, curve_tolerance, &region_);
   }
 
   void split_and_collapse(Remeshing_report& report)
@@ -161,7 +181,15 @@ private:
   std::vector<char> is_in_region_;
 };
 
-// Whether more faces are poor than the direct way leaves, which is one in some hundred thousand.
+// Whether a protected edge is near: faces beside one that is many times as long as they are wide leave what such an edge forces.
+inline bool is_near_protected_edge(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, Visit_marks& marks)
+{
+  const auto& v = mesh.face_record(f).vertex;
+  const std::vector<Remeshing_mesh::Index> near = faces_around(mesh, ball(mesh, {v[0], v[1], v[2]}, SPOT_REACH, marks), marks);
+  return std::any_of(near.begin(), near.end(), [&](Remeshing_mesh::Index g) { return mesh.has_protected_edge(g); });
+}
+
+// Whether more faces are poor than the direct way leaves, which is one in some hundred thousand; those near protected edges apart.
 template <class ConcurrencyTag>
 bool has_poor_faces(const Remeshing_context& context)
 {
@@ -172,6 +200,9 @@ bool has_poor_faces(const Remeshing_context& context)
   scan_into<ConcurrencyTag>(found, context.mesh.number_of_face_slots(), [&](std::size_t f, std::vector<Index>& out) {
     if (is_poor_face(context, Index(f), band)) out.push_back(Index(f));
   });
+  Visit_marks marks;
+  const auto is_forced = [&](Index f) { return is_near_protected_edge(context.mesh, f, marks); };
+  found.erase(std::remove_if(found.begin(), found.end(), is_forced), found.end());
   return double(found.size()) > LARGEST_SHARE * double(context.mesh.number_of_live_faces());
 }
 

@@ -5,6 +5,7 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_SUBDIVISION_PASS_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SUBDIVISION_PASS_H
 
+#include <CGAL/Inter_angle_remeshing/internal/curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 #include <vector>
 
 // Cuts every face into four at the middles of its edges. The vertices that this makes are regular: the irregular ones stay as
-// few as they were while the faces multiply.
+// few as they were while the faces multiply. Protected edges stay whole: of a face beside one come three.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -32,6 +33,16 @@ inline bool is_on_bent_edge(const Remeshing_context& context, const Split_vertex
          !is_cosine_at_least(surface.cross_product(middle.hint), surface.cross_product(middle.other_hint), FLAT_EDGE_COSINE);
 }
 
+// Makes one edge of the two edges of a curve that meet in each of these vertices, of which nobody was told.
+inline void join_halves(Remeshing_mesh& mesh, const std::vector<Remeshing_mesh::Index>& middles)
+{
+  for (const Remeshing_mesh::Index v : middles) {
+    Remeshing_mesh::Index half = -1;
+    for_each_curve_halfedge(mesh, v, [&](Remeshing_mesh::Index h) { half = h; });
+    mesh.collapse(half);
+  }
+}
+
 // Returns the number of edges bisected. The mesh is in a space-filling order, and stays in it.
 template <class ConcurrencyTag>
 std::size_t subdivision_pass(Remeshing_context& context)
@@ -43,6 +54,9 @@ std::size_t subdivision_pass(Remeshing_context& context)
   const std::size_t n = numbers.edges.size();
   std::vector<Vector3> points(n);
   std::vector<Split_vertex> middles(n);
+  std::vector<Index> middles_of_protected;
+  for (const Index h : numbers.edges)
+    if (mesh.is_protected(h)) middles_of_protected.push_back(numbers.middle[h]);
   for_each_block<ConcurrencyTag>(n, SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
       const Index h = numbers.edges[i];
@@ -52,15 +66,19 @@ std::size_t subdivision_pass(Remeshing_context& context)
     }
   });
   if (context.visitor.listens())
-    for (const Index h : numbers.edges) context.visitor.before_split(Mesh_halfedge(h), mesh);
+    for (const Index h : numbers.edges)
+      if (!mesh.is_protected(h)) context.visitor.before_split(Mesh_halfedge(h), mesh);
   mesh.subdivide<ConcurrencyTag>(numbers, points);
   for (const Split_vertex& middle : middles) mesh.hint(middle.vertex) = middle.hint;
+  join_halves(mesh, middles_of_protected);
+  middles.erase(std::remove_if(middles.begin(), middles.end(), [&](const Split_vertex& m) { return !mesh.is_vertex(m.vertex); }),
+                middles.end());
   if (context.visitor.listens())
     for (const Split_vertex& middle : middles) context.visitor.after_split(Mesh_vertex(middle.vertex), mesh);
   middles.erase(std::remove_if(middles.begin(), middles.end(),
                                [&](const Split_vertex& middle) { return !is_on_bent_edge(context, middle); }), middles.end());
   project_split_vertices<ConcurrencyTag>(context, middles);
-  return n;
+  return n - middles_of_protected.size();
 }
 
 } // namespace internal
