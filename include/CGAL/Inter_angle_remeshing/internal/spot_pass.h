@@ -185,8 +185,8 @@ private:
 inline bool is_near_protected_edge(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, Visit_marks& marks)
 {
   const auto& v = mesh.face_record(f).vertex;
-  const std::vector<Remeshing_mesh::Index> near = faces_around(mesh, ball(mesh, {v[0], v[1], v[2]}, SPOT_REACH, marks), marks);
-  return std::any_of(near.begin(), near.end(), [&](Remeshing_mesh::Index g) { return mesh.has_protected_edge(g); });
+  const std::vector<Remeshing_mesh::Index> around = faces_around(mesh, ball(mesh, {v[0], v[1], v[2]}, SPOT_REACH, marks), marks);
+  return std::any_of(around.begin(), around.end(), [&](Remeshing_mesh::Index g) { return mesh.has_protected_edge(g); });
 }
 
 // Whether more faces are poor than the direct way leaves, which is one in some hundred thousand; those near protected edges apart.
