@@ -35,6 +35,7 @@ inline bool is_poor_face(const Remeshing_context& context, Remeshing_mesh::Index
   return !band.holds(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])) || fold_violation(context, f) > 0;
 }
 
+// How many edges away from what was poor at first the vertices of a spot lie.
 constexpr int SPOT_REACH = 6;
 
 template <class ConcurrencyTag>
@@ -42,9 +43,8 @@ class Spot_iteration
 {
   using Index = Remeshing_mesh::Index;
 
-  // A face with an angle out of this band, in degrees, is more than sweeps and the polish can mend,
+  // A face with an angle out of this band, in degrees, is more than sweeps and the polish can mend.
   static constexpr double LOWER_ANGLE = 30, UPPER_ANGLE = 105;
-  // and so may be the vertices within SPOT_REACH edges of it.
   static constexpr int ROUNDS = 12;
   // So many rounds without fewer poor faces than ever before are the last ones.
   static constexpr int PATIENCE = 4;
