@@ -1547,6 +1547,40 @@ std::size_t number_of_faces_under(double angle, const Mesh& m)
   return std::size_t(std::count_if(m.faces_begin(), m.faces_end(), is_under));
 }
 
+// Whether the centre of f lies on the positive side of the plane x = 0.
+bool is_in_half(const Mesh& m, Mesh::Face_index f)
+{
+  double sum = 0;
+  for(const auto v : m.vertices_around_face(m.halfedge(f)))
+    sum += m.point(v).x();
+  return sum > 0;
+}
+
+// The ends of these edges, to the last bit.
+template <class Predicate>
+std::set<std::pair<meshes::Bits, meshes::Bits>> places_of_edges(const Mesh& m, const Predicate& is_one)
+{
+  std::set<std::pair<meshes::Bits, meshes::Bits>> result;
+  for(const Edge e : m.edges())
+    if(is_one(e))
+    {
+      const meshes::Bits p = meshes::bits(m.point(m.vertex(e, 0))), q = meshes::bits(m.point(m.vertex(e, 1)));
+      result.insert({(std::min)(p, q), (std::max)(p, q)});
+    }
+  return result;
+}
+
+// Marks the edges between the two halves in the mesh's map, and splits those that are longer than this.
+void mark_edges_between_halves(Mesh& m, double split_length)
+{
+  const auto map = Random_case::edge_map(m);
+  for(const Edge e : m.edges())
+    map[e] = is_in_half(m, m.face(m.halfedge(e, 0))) != is_in_half(m, m.face(m.halfedge(e, 1)));
+  std::vector<Edge> marked;
+  std::copy_if(m.edges_begin(), m.edges_end(), std::back_inserter(marked), [&](Edge e) { return map[e]; });
+  PMP::split_long_edges(marked, split_length, m, parameters::edge_is_constrained_map(map));
+}
+
 // On coarser levels, too, protected edges are not split, as a visitor sees; the faces beside them are as good as without levels. They are
 // the rim of a range, or marked in a whole mesh. Where they have the target length, they are too short beside the edges of a level.
 void protected_edges_stay_whole_on_coarser_levels()
@@ -1554,41 +1588,16 @@ void protected_edges_stay_whole_on_coarser_levels()
   struct Protected_case { const char* name; bool is_range, are_short; };
   const Mesh& knot = mesh_of_cgal("knot1");
   const double length = .25 * mean_edge_length(knot);
-  const auto is_in_half = [](const Mesh& m, Mesh::Face_index f) {
-    double sum = 0;
-    for(const auto v : m.vertices_around_face(m.halfedge(f)))
-      sum += m.point(v).x();
-    return sum > 0;
-  };
-  const auto places_of_marked = [](const Mesh& m, const auto& is_marked) {
-    std::set<std::pair<meshes::Bits, meshes::Bits>> result;
-    for(const Edge e : m.edges())
-      if(is_marked(e))
-      {
-        const meshes::Bits p = meshes::bits(m.point(m.vertex(e, 0))), q = meshes::bits(m.point(m.vertex(e, 1)));
-        result.insert({(std::min)(p, q), (std::max)(p, q)});
-      }
-    return result;
-  };
   for(const Protected_case& c : {Protected_case{"rim of a range", true, false}, Protected_case{"marked edges", false, false},
                                  Protected_case{"short marked edges", false, true}})
   {
     Mesh input = knot;
+    mark_edges_between_halves(input, c.are_short ? length : std::numeric_limits<double>::infinity());
     const auto map = Random_case::edge_map(input);
     std::vector<Mesh::Face_index> range;
-    for(const auto f : input.faces())
-      if(!c.is_range || is_in_half(input, f))
-        range.push_back(f);
-    for(const Edge e : input.edges())
-      map[e] = is_in_half(input, input.face(input.halfedge(e, 0))) != is_in_half(input, input.face(input.halfedge(e, 1)));
-    if(c.are_short)
-    {
-      std::vector<Edge> marked;
-      std::copy_if(input.edges_begin(), input.edges_end(), std::back_inserter(marked), [&](Edge e) { return map[e]; });
-      PMP::split_long_edges(marked, length, input, parameters::edge_is_constrained_map(map));
-      range.assign(input.faces_begin(), input.faces_end());
-    }
-    const auto marked = places_of_marked(input, [&](Edge e) { return map[e]; });
+    std::copy_if(input.faces_begin(), input.faces_end(), std::back_inserter(range),
+                 [&](Mesh::Face_index f) { return !c.is_range || is_in_half(input, f); });
+    const auto marked = places_of_edges(input, [&](Edge e) { return map[e]; });
     const auto run = [&](auto tag, bool multi_level, Pass_counter& passes, Mesh& m) {
       m = input;
       const auto marks = Random_case::edge_map(m);
@@ -1609,7 +1618,7 @@ void protected_edges_stay_whole_on_coarser_levels()
     CHECK_MESSAGE(meshes::Picture<Mesh>(in_parallel) == meshes::Picture<Mesh>(output), c.name);
     if(!check_same_shape(output, input, c.name))
       continue;
-    const auto all = places_of_marked(output, [](Edge) { return true; });
+    const auto all = places_of_edges(output, [](Edge) { return true; });
     CHECK_MESSAGE(!marked.empty() && std::includes(all.begin(), all.end(), marked.begin(), marked.end()), c.name);
     CHECK_MESSAGE(!does_self_intersect(output), c.name);
     const std::size_t poor = number_of_faces_under(25, output), direct_poor = number_of_faces_under(25, directly);
