@@ -13,6 +13,7 @@
 #endif
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polyhedron_3.h>
 
@@ -355,6 +356,58 @@ void the_surface_does_not_cross_itself()
     if(is_small_run() && m.number_of_faces() > 3000)
       continue;
     CHECK_MESSAGE(!does_self_intersect(tessellation(Mls(m), 3)), name);
+  }
+}
+
+// A sphere whose southern half is sampled far more coarsely: between them narrow faces lead from tiny edges to large facets. Its rings
+// of vertices go from pole to pole.
+Soup unevenly_sampled_sphere(std::size_t fine, std::size_t coarse)
+{
+  Soup soup;
+  struct Ring { std::size_t first, size; };
+  std::vector<Ring> rings;
+  const auto add_ring = [&](std::size_t size, double latitude) {
+    rings.push_back({soup.points.size(), size});
+    for(std::size_t i = 0; i < size; ++i)
+    {
+      const double a = 2 * CGAL_PI * double(i) / double(size);
+      soup.points.push_back({std::cos(latitude) * std::cos(a), std::cos(latitude) * std::sin(a), std::sin(latitude)});
+    }
+  };
+  for(int k = 24; k >= 0; --k)
+    add_ring(k == 24 ? 1 : fine, k * CGAL_PI / 48);
+  for(const int k : {1, 2, 3})
+    add_ring(k == 3 ? 1 : coarse, -k * CGAL_PI / 6);
+  for(std::size_t r = 0; r + 1 < rings.size(); ++r)
+  {
+    const auto [first, size] = rings[r];
+    const auto [next, next_size] = rings[r + 1];
+    std::size_t i = 0, j = 0;
+    while((size > 1 && i < size) || (next_size > 1 && j < next_size))
+    {
+      const std::size_t u = first + i % size, v = next + j % next_size;
+      // Along the ring whose next vertex is the closer one; a pole stays.
+      if(next_size == 1 || (size > 1 && (j == next_size || (i < size && (i + 1) * next_size <= (j + 1) * size))))
+        soup.faces.push_back({u, v, first + ++i % size});
+      else
+        soup.faces.push_back({u, v, next + ++j % next_size});
+    }
+  }
+  return soup;
+}
+
+void narrow_faces_between_large_and_tiny_ones_do_not_turn_over()
+{
+  for(const std::size_t coarse : {7, 8})
+  {
+    const Mesh m = to_mesh<Mesh>(unevenly_sampled_sphere(96, coarse));
+    CHECK(CGAL::is_closed(m) && CGAL::is_valid_polygon_mesh(m) && PMP::is_outward_oriented(m) && !does_self_intersect(m));
+    CHECK_MESSAGE(!does_self_intersect(tessellation(Mls(m), 4)), coarse);
+    Mesh remeshed = m;
+    const auto report = IAR::isotropic_remeshing(.13 * mean_edge_length(m), remeshed);
+    CHECK_MESSAGE(!does_self_intersect(remeshed) && report.angles_after.minimum > 40, coarse << ": " << report.angles_after.minimum);
+    // The large facets bulge all the same.
+    CHECK_MESSAGE(PMP::volume(remeshed) > PMP::volume(m) + .3 * (4 * CGAL_PI / 3 - PMP::volume(m)), PMP::volume(remeshed));
   }
 }
 
@@ -844,6 +897,7 @@ int main()
   borders_become_curves_and_keep_their_corners();
   real_models_keep_the_bounds();
   the_surface_does_not_cross_itself();
+  narrow_faces_between_large_and_tiny_ones_do_not_turn_over();
   odd_input_is_survived();
   a_query_keeps_to_its_sheet();
   threads_get_the_same_points();

@@ -51,7 +51,8 @@ inline double facet_size(const Reference_surface& surface, Reference_surface::In
 //   P(b) = Σ b_i P_i + Σ_{i≠j} (b_i² b_j + ½ b_0 b_1 b_2) d_ij,   N(b) = Σ b_i n_i,
 //
 // where d_ij is what leads from the edge P_i P_j, at its end P_i, into the tangent plane or onto the tangent there. Faces
-// that touch a fold, where the surface turns back on itself, stay flat: bent, the two sides would run through each other.
+// that touch a fold, where the surface turns back on itself, stay flat: bent, the two sides would run through each other. So do the
+// edges of faces that would themselves turn that far, as narrow ones between large facets and tiny ones.
 // Const after construction; the reference surface must outlive it.
 class Mls_surface
 {
@@ -144,6 +145,9 @@ private:
   Vector3 normal_of_uneven_sector(const std::vector<Index>& sector) const;
   void fit_sector(const std::vector<Index>& sector, std::vector<Vector3>& offsets);
   void find_rises();
+  bool turns_over(Index f) const;
+  void flatten_edge(Index h);
+  void flatten_what_turns_over();
   Vector3 feature_offset(Index f, int from, int to) const;
 
   const Reference_surface* surface_;
@@ -168,6 +172,7 @@ inline Mls_surface::Mls_surface(const Reference_surface& surface, const std::vec
   if (!curved_.empty()) polygons_ = Planar_polygons(surface, [this](Index h) { return is_feature(h); });
   fit_sectors();
   find_rises();
+  flatten_what_turns_over();
 }
 
 inline void Mls_surface::find_sizes(double least_size, const std::vector<char>* is_flat)
@@ -350,6 +355,54 @@ inline void Mls_surface::find_rises()
         faces_[f].rise[k][side] = float(part * part * (std::max)(-bound, (std::min)(bound, dot(e, n))));
       }
     }
+}
+
+// Whether the surface over face f somewhere makes the angle of a fold with it. Where it hardly rises beside the width of the face, it
+// cannot.
+inline bool Mls_surface::turns_over(Index f) const
+{
+  constexpr double LEAST_RISE = 0.5;               // in altitudes
+  constexpr int PARTS = 3;                         // of each edge
+  float highest = 0;
+  for (const auto& at_corner : faces_[f].rise)
+    for (const float rise : at_corner) highest = (std::max)(highest, std::abs(rise));
+  if (double(highest) <= LEAST_RISE * surface_->least_altitude(f)) return false;
+  const auto at = [&](int i, int j) { return point(f, {double(PARTS - i - j) / PARTS, double(i) / PARTS, double(j) / PARTS}); };
+  const Vector3& c = surface_->cross_product(f);
+  const auto is_steep = [&](const Vector3& p, const Vector3& q, const Vector3& r) {
+    return !is_cosine_at_least(triangle_cross(p, q, r), c, MLS_FOLD_COSINE);
+  };
+  for (int i = 0; i < PARTS; ++i)
+    for (int j = 0; i + j < PARTS; ++j) {
+      const Vector3 p = at(i, j), q = at(i + 1, j), r = at(i, j + 1);
+      if (is_steep(p, q, r) || (i + j + 1 < PARTS && is_steep(q, at(i + 1, j + 1), r))) return true;
+    }
+  return false;
+}
+
+inline void Mls_surface::flatten_edge(Index h)
+{
+  const auto flatten = [&](Index side) {
+    const int k = side & 3;
+    faces_[side >> 2].rise[k][0] = faces_[side >> 2].rise[(k + 1) % 3][1] = 0;
+  };
+  flatten(h);
+  if (surface_->opposite(h) >= 0) flatten(surface_->opposite(h));
+}
+
+// One that is flattened changes those around it.
+inline void Mls_surface::flatten_what_turns_over()
+{
+  std::vector<Index> suspects = curved_;
+  while (!suspects.empty()) {
+    const Index f = suspects.back();
+    suspects.pop_back();
+    if (!turns_over(f)) continue;
+    for (Index h = 4 * f; h < 4 * f + 3; ++h) {
+      flatten_edge(h);
+      if (surface_->opposite(h) >= 0) suspects.push_back(surface_->opposite(h) >> 2);
+    }
+  }
 }
 
 // d for a feature edge. The curve must not cross the faces beside it, which may be thinner than it is high.
