@@ -1836,6 +1836,34 @@ void simplified_stairs_are_no_features()
   }
 }
 
+// Nor are those of vessels about as thick as a slice, though many of them are rims of thin walls.
+bool is_in_vessels(double x, double y, double z)
+{
+  const Point fork(0, 0, -4), left(-5, 2, 3), right(4, -3, 4);
+  const std::array<Segment_3, 7> axes = {Segment_3(Point(0, 0, -11), fork), Segment_3(fork, left), Segment_3(fork, right),
+    Segment_3(left, Point(-9, 5, 10)), Segment_3(left, Point(-2, 6, 9)), Segment_3(right, Point(9, 1, 9)),
+    Segment_3(right, Point(5, -9, 10))};
+  return std::any_of(axes.begin(), axes.end(), [&](const Segment_3& s) { return CGAL::squared_distance(Point(x, y, z), s) < 1.44; });
+}
+
+void stairs_of_thin_vessels_are_no_features()
+{
+  const Mesh stairs = segmentation(is_in_vessels, {.4, .4, 1.6});
+  CHECK(CGAL::is_closed(stairs) && found_features(stairs).empty());
+  for(const double factor : {1.5, 3.})
+  {
+    Mesh m = stairs, with_all = stairs;
+    const double length = factor * mean_edge_length(stairs);
+    const auto report = IAR::isotropic_remeshing(length, m);
+    IAR::isotropic_remeshing(length, with_all, parameters::sharpness_angle(40));
+    CHECK(report.features == Features::none && report.feature_edges == 0);
+    CHECK(CGAL::is_valid_polygon_mesh(m) && topology(m) == topology(stairs) && !does_self_intersect(m));
+    CHECK_MESSAGE(5 * number_of_needles(m) < number_of_needles(with_all), number_of_needles(m) << " of " << number_of_needles(with_all));
+    const double moved = invariants::surface_distance(stairs, m).hausdorff();
+    CHECK_MESSAGE(moved < .8 * length, moved / length);
+  }
+}
+
 // Voxels themselves, and bars that are as regular, were designed. Noise is too thin to do without its edges.
 void what_resembles_stairs_keeps_its_edges()
 {
@@ -2696,6 +2724,7 @@ int main()
   piles_of_bars_keep_their_edges();
   knife_edges_are_features();
   stairs_of_voxels_are_no_features();
+  stairs_of_thin_vessels_are_no_features();
   turned_stairs_are_no_features();
   simplified_stairs_are_no_features();
   what_resembles_stairs_keeps_its_edges();

@@ -54,9 +54,10 @@ class Model_kind
   static constexpr double LOOSE_SHARE = 0.005, TANGLE_SHARE = 0.1, TURNING_ANGLE = 120, TURNING_SHARE = 0.15;
   // Edges of at least this angle are creases where they make up this part of the length of all edges.
   static constexpr double CREASE_ANGLE = 70, CREASE_SHARE = 0.05;
-  // The part of the sharp edges of stairs of voxels that are rims of chamfers; voxels themselves have none. Where more than this part are
-  // rims of thin walls, noise was marked: faces that do without its edges would cross each other.
-  static constexpr double CHAMFERED_STAIRS = 0.2, THIN_STAIRS = 0.1;
+  // The part of the sharp edges of stairs of voxels that are rims of chamfers; voxels themselves have none. Where more than so many are
+  // rims of thin walls, and so many turn to and fro, noise was marked: faces that do without its edges would cross each other. The edges
+  // of vessels about as thick as a slice do not turn to and fro.
+  static constexpr double CHAMFERED_STAIRS = 0.2, THIN_STAIRS = 0.1, NOISY_JAGS = 0.002;
   // Where simplification has taken the vertices off the grid, so many are rims of chamfers, and so many turn to and fro.
   static constexpr double SIMPLIFIED_CHAMFERS = 0.6, SIMPLIFIED_JAGS = 0.07;
 
@@ -176,7 +177,7 @@ private:
   bool are_stairs(const Jagged_chamfers& chamfers) const
   {
     const double share = chamfers.chamfer_share();
-    if (share < CHAMFERED_STAIRS || chamfers.wall_share() > THIN_STAIRS) return false;
+    if (share < CHAMFERED_STAIRS || (chamfers.wall_share() > THIN_STAIRS && chamfers.jagged_share() >= NOISY_JAGS)) return false;
     return Voxel_surface(mesh_, own_length_).is_one() ||
            (is_cad_ && share >= SIMPLIFIED_CHAMFERS && chamfers.jagged_share() >= SIMPLIFIED_JAGS);
   }
