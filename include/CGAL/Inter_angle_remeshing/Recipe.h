@@ -76,7 +76,7 @@ struct Recipe
   double collapse_tolerance = 0.15;
   /// whether, where the target length is well under that of the input's edges, the iterations run on a coarser level, whose faces
   /// are then cut into four until they have the target length: several times faster, and the vertices are more regular. Levels
-  /// are chosen such that they resolve the input, and protected edges are not much shorter than theirs; where none is, or where a
+  /// are chosen such that they resolve the input; where none does, where most of the mesh would lie near protected edges, or where a
   /// policy, also the paper's, a `false` in its place, or a grading rules the edges, the iterations run on the target length all the same.
   bool multi_level = true;
   /// by how much the target length rises with the distance from curves whose edges must be shorter than it is, where details

@@ -111,6 +111,16 @@ public:
     return result;
   }
 
+  // Whether faces cross others where the surface does not cross itself.
+  template <class ConcurrencyTag>
+  bool has_new_crossings() const
+  {
+    const std::vector<Index> faces = faces_of_mesh(crossing_pairs<ConcurrencyTag>());
+    if (faces.empty()) return false;
+    const Surface_crossings of_surface = Surface_crossings::find<ConcurrencyTag>(context_);
+    return std::any_of(faces.begin(), faces.end(), [&](Index f) { return !of_surface.are_near(context_, f); });
+  }
+
   // The number of faces that cross others.
   template <class ConcurrencyTag>
   std::size_t number_of_crossing_faces() const { return faces_of_mesh(crossing_pairs<ConcurrencyTag>()).size(); }

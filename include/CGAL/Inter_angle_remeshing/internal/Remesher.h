@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
 #include <CGAL/Inter_angle_remeshing/internal/Clean_up.h>
+#include <CGAL/Inter_angle_remeshing/internal/Faults.h>
 #include <CGAL/Inter_angle_remeshing/internal/Iterations.h>
 #include <CGAL/Inter_angle_remeshing/internal/Pass_runner.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
@@ -104,7 +105,8 @@ private:
     const double target_length = context_.target_length;
     run_from_coarsest_level();
     const bool is_poor = goes_on() && (!is_at_finest_level() || clean_up_.is_given_up() || leaves_curves<ConcurrencyTag>(context_) ||
-                                       (clean_up_.leaves_poor_spots() && has_poor_faces<ConcurrencyTag>(context_)));
+                                       (clean_up_.leaves_poor_spots() && has_poor_faces<ConcurrencyTag>(context_)) ||
+                                       (report_.crossing_faces > 0 && has_new_crossings()));
     if (!is_poor && is_at_finest_level()) return true;
     mesh_ = input;
     context_.target_length = target_length;
@@ -148,6 +150,12 @@ private:
     const std::size_t few = std::size_t(FEW_CROSSINGS * double(mesh_.number_of_live_faces())),
                       pairs = crossing_faces<ConcurrencyTag>(mesh_).size();
     return pairs > few && pairs > few + crossing_faces<ConcurrencyTag>(*context_.projector.surface).size();
+  }
+
+  // Whether any face does where the surface does not.
+  bool has_new_crossings() const
+  {
+    return context_.projector.has_faces() && Faults(context_).has_new_crossings<ConcurrencyTag>();
   }
 
   void go_to_finer_level()

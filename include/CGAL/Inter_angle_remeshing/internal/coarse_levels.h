@@ -34,8 +34,9 @@ class Coarse_levels
   // Where more than this part of the vertices were held, with corners and others that stay anyway, they would stand too close
   // together for the faces between them.
   static constexpr double LARGEST_SHARE = 0.015;
-  // How long edges may be beside protected ones, which stay as they are, in lengths of these.
-  static constexpr double BESIDE_PROTECTED = 3;
+  // Beside protected edges, which stay as they are, faces of the finest level need iterations of their own: in strips so many target
+  // lengths wide, both sides together. Levels pay where such strips do not cover the mesh.
+  static constexpr double STRIP_WIDTH = 10;
 
 public:
   template <class ConcurrencyTag>
@@ -44,12 +45,14 @@ public:
     Coarse_levels result;
     result.mean_length_ = mean_edge_length(mesh);
     if (!result.is_fine_enough(target_length)) return result;
+    result.protected_length_ = protected_length(mesh);
+    result.area_ = area(mesh);
     result.longest_edges_.assign(mesh.number_of_vertex_slots(), UNBENT);
     const std::size_t n = mesh.number_of_vertex_slots();
     for_each_block<ConcurrencyTag>(n, SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (Index v = Index(begin); v < Index(end); ++v)
-        if (mesh.is_locked(v)) result.longest_edges_[v] = longest_edges_beside_protected(mesh, v);
-        else if (mesh.is_free(v)) result.longest_edges_[v] = longest_edges_at(mesh, v);
+        if (mesh.is_free(v)) result.longest_edges_[v] = longest_edges_at(mesh, v);
+        else if (mesh.is_locked(v) && !has_protected_edge(mesh, v)) result.longest_edges_[v] = 0;
     });
     return result;
   }
@@ -58,6 +61,7 @@ public:
   unsigned number(double target_length) const
   {
     unsigned levels = 0;
+    if (STRIP_WIDTH * target_length * protected_length_ > area_) return levels;
     while (is_fine_enough(target_length) && is_resolved(2 * target_length)) {
       target_length *= 2;
       ++levels;
@@ -93,17 +97,22 @@ private:
     return star.bend > 0 ? BENT / star.bend * star.mean_edge_length : UNBENT;
   }
 
-  // The same at a locked vertex: 0 where it is none of protected edges.
-  static double longest_edges_beside_protected(const Remeshing_mesh& mesh, Index v)
+  static bool has_protected_edge(const Remeshing_mesh& mesh, Index v)
   {
-    double shortest = UNBENT;
-    for_each_curve_halfedge(mesh, v, [&](Index h) {
-      const Index side = h < 0 ? ~h : h;
-      if (mesh.is_protected(side)) shortest = (std::min)(shortest, std::sqrt(mesh.squared_edge_length(side))); });
-    return shortest < UNBENT ? BESIDE_PROTECTED * shortest : 0;
+    bool result = false;
+    for_each_curve_halfedge(mesh, v, [&](Index h) { result = result || mesh.is_protected(h < 0 ? ~h : h); });
+    return result;
   }
 
-  double mean_length_ = 0;
+  static double protected_length(const Remeshing_mesh& mesh)
+  {
+    double sum = 0;
+    mesh.for_each_edge([&](Index h) {
+      if (mesh.is_protected(h)) sum += std::sqrt(mesh.squared_edge_length(h)); });
+    return sum;
+  }
+
+  double mean_length_ = 0, protected_length_ = 0, area_ = 0;
   std::vector<double> longest_edges_;    // by vertex
 };
 

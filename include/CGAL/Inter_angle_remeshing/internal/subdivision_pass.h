@@ -43,6 +43,23 @@ inline void join_halves(Remeshing_mesh& mesh, const std::vector<Remeshing_mesh::
   }
 }
 
+// Where the halves of two edges of a face were joined away from the corner between them, one face spans its three corners, and the
+// middle of the third edge lies on that face's edge: what is flat there goes with a flip.
+inline void flip_at_middles_on_edges(Remeshing_mesh& mesh)
+{
+  using Index = Remeshing_mesh::Index;
+  const auto spans_three_corners = [&](Index h) {
+    return mesh.is_protected(mesh.next(h)) && mesh.is_protected(mesh.prev(h)) && !mesh.is_on_curve_edge(h); };
+  for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) {
+    if (!mesh.is_face(f) || !mesh.has_protected_edge(f)) continue;
+    for (Index h = 4 * f; h < 4 * f + 3; ++h)
+      if (spans_three_corners(h)) {
+        mesh.flip(h);
+        break;
+      }
+  }
+}
+
 // Returns the number of edges bisected. The mesh is in a space-filling order, and stays in it.
 template <class ConcurrencyTag>
 std::size_t subdivision_pass(Remeshing_context& context)
@@ -70,7 +87,10 @@ std::size_t subdivision_pass(Remeshing_context& context)
       if (!mesh.is_protected(h)) context.visitor.before_split(Mesh_halfedge(h), mesh);
   mesh.subdivide<ConcurrencyTag>(numbers, points);
   for (const Split_vertex& middle : middles) mesh.hint(middle.vertex) = middle.hint;
-  join_halves(mesh, middles_of_protected);
+  if (!middles_of_protected.empty()) {
+    join_halves(mesh, middles_of_protected);
+    flip_at_middles_on_edges(mesh);
+  }
   middles.erase(std::remove_if(middles.begin(), middles.end(), [&](const Split_vertex& m) { return !mesh.is_vertex(m.vertex); }),
                 middles.end());
   if (context.visitor.listens())
