@@ -86,10 +86,10 @@ The stairs that marching cubes leave around the voxels that are marked in a volu
 least 98% of the edges of such a mesh are the same few vectors, 64 at most, each of them 16 times on the average. Along each of three axes
 that are normal to each other a vector goes by nothing, by half a voxel or by one; by a half along two of them or none, and each pair
 of axes has such vectors. Of the edges of 40 degrees and more at least 20% are rims of chamfers one face wide, of less than 70
-degrees, and at most 10% are rims of walls that are one face thick: noise has more, and so have vessels about as thick as a slice, but
-of those fewer than 0.2% turn to and fro, by 15 to 80 degrees. Where the flat parts of such stairs were
-simplified, what would be a CAD model otherwise has at least 60% of such rims of chamfers, and 7% of edges that turn to and
-fro; of what is just some voxels thick fewer do, and its stairs are kept.
+degrees; and at most 10% are rims of walls that are one face thick, or fewer than 0.2% turn to and fro, by 15 to 80 degrees: noise has
+more of both, vessels about as thick as a slice more of the walls alone. Where the flat parts of such stairs were simplified, what would
+be a CAD model otherwise has at least 60% of such rims of chamfers, and 7% of edges that turn to and fro; of what is just some voxels
+thick fewer do, and its stairs are kept.
 
 A coarse model that is no CAD model, as one simplified to some hundred faces, has creases, which short edges must not cut off:
 where edges of 70 degrees and more make up a twentieth of the length of all edges, and the saddles above do not tell noise, those
