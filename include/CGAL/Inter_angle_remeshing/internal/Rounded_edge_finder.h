@@ -239,7 +239,7 @@ inline double Rounded_edge_finder::imbalance_on_crest(Index h, double width)
     if (!walk(sides[k], reach / 2, ways_[k])) return none;
     at_foot[k] = ways_[k].empty() ? normal(sides[k]) : normal(ways_[k].back().halfedge);
     turns[k] = turn(normal(sides[k]), at_foot[k]);
-    if (2 * turns[k] + own < (1 - LARGEST_IMBALANCE) * LEAST_TURN_BACK) return none;
+    if (2 * (turns[k] + own) < (1 - LARGEST_IMBALANCE) * LEAST_TURN_BACK) return none;
   }
   const double whole = turn(at_foot[0], at_foot[1]);
   if (whole < LEAST_TURN_BACK || turns[0] + own + turns[1] > MOST_SWAY * 180) return none;
