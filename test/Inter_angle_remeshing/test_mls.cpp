@@ -21,6 +21,7 @@
 #include "meshes.h"
 #include "models.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -714,6 +715,45 @@ void fillets_leave_flats_flat()
     }
 }
 
+// A dam between two plains: flats and slopes that meet at this angle along lines of edges.
+Soup dam(double degrees)
+{
+  Soup soup = square(20);
+  for(auto& [x, y, z] : soup.points)
+  {
+    z = std::tan(degrees * CGAL_PI / 180) * (std::max)(0., (std::min)(.15, .25 - std::abs(x - .5)));
+    y += .1 * y * y + .07 * x;
+  }
+  return soup;
+}
+
+// Planes of several facets each have been designed, however blunt the edge is where they meet. It stays, and they stay planes, while
+// facets of what curves have no vertex inside.
+void planes_that_meet_stay_planes()
+{
+  for(const double degrees : {2., 10., 26., 50.})
+  {
+    const Mesh input = to_mesh<Mesh>(dam(degrees));
+    const Mls mls(input);
+    for(const auto f : input.faces())
+    {
+      const auto [a, b, c] = corners(f, input);
+      for(const Point& p : {CGAL::centroid(a, b, c), CGAL::midpoint(a, b), CGAL::midpoint(b, c), CGAL::midpoint(c, a)})
+        CHECK_MESSAGE(distance(mls.project(p), p) < 1e-12, degrees << ", " << p << ": " << mls.project(p));
+    }
+    for(const double factor : {.1, .3})
+    {
+      const double length = factor * mean_edge_length(input);
+      Mesh m = input;
+      const auto report = IAR::isotropic_remeshing(length, m);
+      CHECK_MESSAGE(report.band_holds, degrees << " at " << factor << ": " << report.angles_after.minimum << " to "
+                                               << report.angles_after.maximum);
+      const double moved = invariants::surface_distance(input, m).mean() / length;
+      CHECK_MESSAGE(moved < .003, degrees << " at " << factor << ": " << moved);
+    }
+  }
+}
+
 // Around a capsule and a thick-walled tube with round ends, faces are many times as long as they are wide: what curves at the ends
 // says nothing about the straight part.
 void long_facets_stay_straight()
@@ -910,6 +950,7 @@ int main()
 #endif
   a_coarse_mesh_becomes_a_fine_surface();
   fillets_leave_flats_flat();
+  planes_that_meet_stay_planes();
   long_facets_stay_straight();
   walks_pass_any_number_of_facets();
   a_fit_comes_nearer();

@@ -136,7 +136,15 @@ private:
 
   bool is_on_feature(Index f, const Barycentric& b) const;
   void find_sizes(double least_size, const std::vector<char>* is_flat);
+  void mark(Index h)
+  {
+    const Index o = surface_->opposite(h);
+    faces_[h >> 2].features |= 1u << (h & 3);
+    if (o >= 0) faces_[o >> 2].features |= 1u << (o & 3);
+  }
   void find_features(const std::vector<Index>& creases);
+  void find_creases_between_planes();
+  bool is_at_curved_face(Index h) const { return is_corner_[surface_->origin(h)] || is_corner_[surface_->target(h)]; }
   bool is_fold(Index h) const;
   bool is_beside_fold(Index h) const;
   void find_tangents();
@@ -168,8 +176,9 @@ inline Mls_surface::Mls_surface(const Reference_surface& surface, const std::vec
 {
   find_sizes(least_size, is_flat);
   find_features(creases);
-  find_tangents();
   if (!curved_.empty()) polygons_ = Planar_polygons(surface, [this](Index h) { return is_feature(h); });
+  find_creases_between_planes();
+  find_tangents();
   fit_sectors();
   find_rises();
   flatten_what_turns_over();
@@ -198,18 +207,25 @@ inline bool Mls_surface::is_fold(Index h) const
 inline void Mls_surface::find_features(const std::vector<Index>& creases)
 {
   is_on_fold_.assign(surface_->number_of_vertices(), 0);
-  const auto mark = [&](Index h) {
-    const Index o = surface_->opposite(h);
-    faces_[h >> 2].features |= 1u << (h & 3);
-    if (o >= 0) faces_[o >> 2].features |= 1u << (o & 3);
-  };
   for (const Index h : creases) mark(h);
   for (Index h = 0; h < 4 * Index(faces_.size()); ++h) {
     const Index k = h & 3;
-    if (k == 3 || (!is_corner_[surface_->origin(h)] && !is_corner_[surface_->target(h)])) continue;
+    if (k == 3 || !is_at_curved_face(h)) continue;
     const bool is_constrained = (surface_->face_record(h >> 2).edge_flags & (Remeshing_mesh::CONSTRAINED << k)) != 0;
     if (is_constrained || surface_->is_border(h)) mark(h);
     if (surface_->opposite(h) < h && is_fold(h)) is_on_fold_[surface_->origin(h)] = is_on_fold_[surface_->target(h)] = 1;
+  }
+}
+
+// Where two planes meet that have been designed as such, the surface has a crease, however blunt.
+inline void Mls_surface::find_creases_between_planes()
+{
+  constexpr double CREASE_COSINE = 0.99985;        // 1 degree
+  for (Index h = 0; h < 4 * Index(faces_.size()); ++h) {
+    if ((h & 3) == 3 || surface_->opposite(h) < h || is_feature(h) || !is_at_curved_face(h)) continue;
+    const Index a = polygons_[h >> 2], b = polygons_[surface_->opposite(h) >> 2];
+    if (a >= 0 && b >= 0 && polygons_.is_wide(a) && polygons_.is_wide(b) &&
+        !is_cosine_at_least(polygons_.cross_product(a), polygons_.cross_product(b), CREASE_COSINE)) mark(h);
   }
 }
 
@@ -283,9 +299,13 @@ inline Vector3 Mls_surface::normal_of_uneven_sector(const std::vector<Index>& se
 {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   Vector3 sum;
-  Index before = polygons_[sector.back() >> 2];
-  for (const Index h : sector) {
+  const auto polygon_of = [&](Index h) {
     const Index polygon = polygons_[h >> 2];
+    return polygon >= 0 && polygons_.has_many_faces(polygon) ? polygon : Index(-1);
+  };
+  Index before = polygon_of(sector.back());
+  for (const Index h : sector) {
+    const Index polygon = polygon_of(h);
     if (polygon >= 0 && polygon == before) continue;
     before = polygon;
     const Vector3 c = polygon >= 0 ? polygons_.cross_product(polygon) : surface_->cross_product(h >> 2);

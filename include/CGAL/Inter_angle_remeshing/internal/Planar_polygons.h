@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// The polygons that faces of a surface triangulate: connected sets of five faces or more whose normals differ from that of one of them
-// by less than .08 degrees. Fewer may be in a plane on what curves, as the two of each cell of a grid.
+// The polygons that faces of a surface triangulate: connected sets of faces whose normals differ from that of one of them by less than .08
+// degrees.
 class Planar_polygons
 {
 public:
@@ -31,7 +31,7 @@ public:
     for (Index first = 0; first < Index(polygon_.size()); ++first) {
       if (polygon_[first] >= 0 || surface.is_degenerate(first)) continue;
       const Vector3 normal = surface.cross_product(first);
-      const Index number = Index(cross_products_.size());
+      const Index number = Index(polygons_.size());
       Vector3 sum;
       polygon_[first] = number;
       faces.assign(1, first);
@@ -45,22 +45,45 @@ public:
           faces.push_back(o >> 2);
         }
       }
-      if (faces.size() >= LEAST_FACES) cross_products_.push_back(sum);
-      else for (const Index f : faces) polygon_[f] = -1;
+      polygons_.push_back({sum, faces.size() >= MANY_FACES, false});
     }
+    find_wide_ones(surface);
   }
 
-  // That of face f; negative: none.
+  // That of face f; negative: none, as the face is degenerate.
   Index operator[](Index f) const { return polygon_[f]; }
   // Twice the area times the unit normal of a polygon.
-  const Vector3& cross_product(Index polygon) const { return cross_products_[polygon]; }
+  const Vector3& cross_product(Index polygon) const { return polygons_[polygon].cross_product; }
+  // Whether there are five faces or more. Fewer may be in a plane on what curves, as the two of each cell of a grid.
+  bool has_many_faces(Index polygon) const { return polygons_[polygon].has_many_faces; }
+  // Whether there is a vertex that belongs to no other polygon, inside of this one or on the border. Inside of what curves no facet has one.
+  bool is_wide(Index polygon) const { return polygons_[polygon].is_wide; }
 
 private:
   static constexpr double PLANAR_COSINE = 1 - 1e-6;
-  static constexpr std::size_t LEAST_FACES = 5;
+  static constexpr std::size_t MANY_FACES = 5;
+
+  struct Polygon
+  {
+    Vector3 cross_product;
+    bool has_many_faces, is_wide;
+  };
+
+  void find_wide_ones(const Reference_surface& surface)
+  {
+    constexpr Index UNKNOWN = -2, NONE = -1;
+    std::vector<Index> around(surface.number_of_vertices(), UNKNOWN);    // by vertex: the polygon of all of its faces
+    for (Index f = 0; f < Index(polygon_.size()); ++f)
+      for (Index h = 4 * f; h < 4 * f + 3; ++h) {
+        Index& polygon = around[surface.origin(h)];
+        polygon = polygon == UNKNOWN || polygon == polygon_[f] ? polygon_[f] : NONE;
+      }
+    for (const Index polygon : around)
+      if (polygon >= 0) polygons_[polygon].is_wide = true;
+  }
 
   std::vector<Index> polygon_;                  // by face
-  std::vector<Vector3> cross_products_;         // by polygon
+  std::vector<Polygon> polygons_;
 };
 
 } // namespace internal
