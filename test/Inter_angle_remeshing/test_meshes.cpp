@@ -1650,6 +1650,36 @@ void no_level_leaves_crossings_beside_protected_edges()
   }
 }
 
+// A square sheet with holes, cut into as few faces as there can be. Its border, which stays as it is, has edges of dozens of target lengths:
+// beside these faces are large and small, and sweeps turned some over. What lies in the plane stays in it, and covers it once.
+void sheets_with_long_protected_borders_do_not_fold()
+{
+  meshes::Soup soup;
+  soup.points = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
+  for(const auto& [x, y] : {std::pair(2., 2.), std::pair(8., 2.), std::pair(8., 8.)})
+    for(const auto& [dx, dy] : {std::pair(0., -.6), std::pair(-.6, 0.), std::pair(0., .6), std::pair(.6, 0.)})
+      soup.points.push_back({x + dx, y + dy, 0});
+  soup.faces = {{1, 11, 8},  {8, 9, 7},   {8, 7, 4}, {6, 7, 9}, {6, 9, 10}, {11, 1, 2},   {11, 2, 15}, {11, 15, 12}, {11, 12, 13}, {14, 15, 2},
+                {14, 2, 3},  {0, 1, 8},   {0, 8, 4}, {0, 4, 5}, {10, 11, 13}, {13, 14, 3}, {3, 0, 5},  {3, 5, 6},    {3, 6, 10},   {10, 13, 3}};
+  const Mesh input = meshes::to_mesh<Mesh>(soup);
+  const double area = PMP::area(input);
+  std::vector<double> lengths = {.2};
+  if(!meshes::is_small_run())
+    lengths = {.1, .15, .18, .2, .22, .25, .3};
+  for(const double length : lengths)
+  {
+    Mesh output = input;
+    const auto report = IAR::isotropic_remeshing(length, output, parameters::protect_constraints(true));
+    output.collect_garbage();
+    CHECK(topology(output) == topology(input) && report.crossing_faces == 0);
+    CHECK_MESSAGE(std::abs(PMP::area(output) - area) < 1e-9 * area, length << ": " << PMP::area(output) - area);
+    CHECK_MESSAGE(std::all_of(output.faces_begin(), output.faces_end(),
+                              [&](Face f) { return PMP::compute_face_normal(f, output).z() > .999; }), length);
+    const auto before = places_of_edges(input, [&](Edge e) { return input.is_border(e); });
+    CHECK_MESSAGE(places_of_edges(output, [&](Edge e) { return output.is_border(e); }) == before, length);
+  }
+}
+
 void a_run_cancelled_before_its_finest_level_changes_nothing()
 {
   const Mesh& input = mesh_of_cgal("mesh_with_border");
@@ -1725,6 +1755,7 @@ int main(int argc, char* argv[])
   levels_are_left_out_where_they_are_not_wanted();
   protected_edges_stay_whole_on_coarser_levels();
   no_level_leaves_crossings_beside_protected_edges();
+  sheets_with_long_protected_borders_do_not_fold();
   a_run_cancelled_before_its_finest_level_changes_nothing();
   return result();
 }

@@ -56,7 +56,8 @@ class Pass_runner
 public:
   Pass_runner(Remeshing_context& context, const Schedule& schedule, Run_clock& clock, Remeshing_report& report)
     : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule), clock_(clock), report_(report),
-      relaxation_(context.recipe, context.curves, context.grading, context.noise)
+      relaxation_(context.recipe, context.curves, context.grading, context.noise,
+                  has_long_protected_edge(context.mesh, [&](Index u, Index v) { return context.length_at(u, v); }))
   {}
 
   bool goes_on() const { return report_.ending == Remeshing_report::Ending::completed; }

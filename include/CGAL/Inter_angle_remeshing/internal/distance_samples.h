@@ -73,17 +73,27 @@ public:
       const bool is_near = std::any_of(corner, corner + 3, [&](Index v) {
         return squared_distance(surface_.position(v), q) < squared_radius; });
       if (!is_near && i > 0) continue;
+      ++looks_;
       function(queue[i]);
       for (Index h = 4 * queue[i]; h < 4 * queue[i] + 3; ++h)
         if (surface_.opposite(h) >= 0 && !is_barrier(surface_, h)) add(surface_.face(surface_.opposite(h)));
     }
   }
 
-  // From now on every sample is a new one.
+  // Whether so many looks at faces of the surface that are near are enough for a pass over the mesh. Where the target is so long that much
+  // of a surface is near each vertex, this would be its square; on the meshes of CGAL 18 for each face at most.
+  bool are_enough_looks() const
+  {
+    constexpr std::size_t LOOKS_PER_FACE = 25;
+    return looks_ > LOOKS_PER_FACE * (mesh_.number_of_live_faces() + surface_.number_of_faces());
+  }
+
+  // From now on every sample is a new one, and no look has been taken.
   void start()
   {
     surface_vertices_.start(surface_.number_of_vertices());
     surface_edges_.start(4 * surface_.number_of_faces());
+    looks_ = 0;
   }
 
   // Samples of a face of the surface: its corners; what two faces share is sampled with the one that is asked for first.
@@ -164,6 +174,7 @@ private:
   const Remeshing_mesh& mesh_;
   const Reference_surface& surface_;
   double length_ = 0, tolerance_ = 0, enough_ = 0;
+  std::size_t looks_ = 0;
   Visit_marks surface_faces_, surface_vertices_, surface_edges_;
 };
 

@@ -75,6 +75,20 @@ double longest_edge_in_targets(const Remeshing_mesh& mesh, const Target& target)
   return std::sqrt(longest);
 }
 
+// Whether a protected edge is several times as long as the target length between its ends.
+template <class Target>
+bool has_long_protected_edge(const Remeshing_mesh& mesh, const Target& target)
+{
+  constexpr double LONG = 3;
+  bool result = false;
+  mesh.for_each_edge([&](Remeshing_mesh::Index h) {
+    if (result || !mesh.is_protected(h)) return;
+    const double bound = LONG * target(mesh.origin(h), mesh.target(h));
+    result = mesh.squared_edge_length(h) > bound * bound;
+  });
+  return result;
+}
+
 } // namespace internal
 } // namespace Inter_angle_remeshing
 } // namespace CGAL

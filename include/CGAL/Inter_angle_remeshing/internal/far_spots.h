@@ -106,6 +106,7 @@ private:
     sampled.start(surface_.number_of_faces());
     samples_.start();
     for (const Index v : sharp) {
+      if (samples_.are_enough_looks()) return;
       samples_.set_scale_at(v);
       std::vector<Index> faces;
       const auto around = [&]() -> const std::vector<Index>& {

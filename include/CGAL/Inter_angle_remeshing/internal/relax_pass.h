@@ -43,9 +43,10 @@ constexpr double STEP_NORMAL_COSINE = 0.5;
 constexpr int STEP_TRIALS = 3;
 // A tangential step that is shorter than this fraction of the altitude of the star's smallest face, over a link edge
 // of the length that it has in an equilateral triangle of the star's mean area, turns no face. In terms of the faces'
-// cross products c, the square of the altitude is |c_min|² / (2/√3 mean |c|). Where the longest link edge, as a protected one, is more
-// than so many times as long as that, it takes its place.
-constexpr double SAFE_STEP = 0.75, LONG_LINK_EDGE = 5;
+// cross products c, the square of the altitude is |c_min|² / (2/√3 mean |c|). Where the longest link edge is more than so many times as
+// long as that, it takes its place; and sooner where long edges are protected: around these the next stars have long link edges, too, and
+// take guarded steps, as theirs is not safe any more once others around them have moved.
+constexpr double SAFE_STEP = 0.75, LONG_LINK_EDGE = 5, LONG_LINK_EDGE_BESIDE_PROTECTED = 1.5;
 // λ of a slide, and the largest part of the way to the next vertex of the curve that it takes.
 constexpr double SLIDE_RELAXATION = 1.3, LONGEST_SLIDE = 0.6;
 // Steps that have to be tested are not worth it when they are shorter than this part of a safe step, or of the way to the nearer
@@ -68,9 +69,10 @@ class Relaxation
 public:
   using Index = Sweep_data::Index;
 
-  Relaxation(const Recipe& recipe, const Input_curves& curves, const Grading& grading, double noise)
+  Relaxation(const Recipe& recipe, const Input_curves& curves, const Grading& grading, double noise, bool has_long_protected_edges)
     : recipe_(recipe), curves_(curves), grading_(grading),
-      bound_(noise > LITTLE_NOISE ? (std::max)(LEAST_BOUND, LITTLE_NOISE / noise) : 1.)
+      bound_(noise > LITTLE_NOISE ? (std::max)(LEAST_BOUND, LITTLE_NOISE / noise) : 1.),
+      has_long_protected_edges_(has_long_protected_edges)
   {}
 
   // Returns the number of vertices that may have moved: all of them, or those of a region. Slides leave no chord further than
@@ -124,6 +126,7 @@ private:
   const Input_curves& curves_;
   const Grading& grading_;
   const double bound_;                // of ρ, as part of that of a clean mesh
+  const bool has_long_protected_edges_;
   Remeshing_mesh* mesh_ = nullptr;    // of the run: keeps the places on curves
   double curve_tolerance_ = 0;
   Sweep_data data_;
@@ -221,9 +224,11 @@ inline Vector3 Relaxation::refresh(std::size_t i)
   const double flatness = rho(i, s, l);
   normal_[i] = (1 / l) * s.cross;
   step_factor_[i] = recipe_.relaxation * damping(flatness);
-  if (flatness < RHO_GUARDED || data_.mobility[i] == Mobility::guarded) step_factor_[i] = -step_factor_[i];
   const double link_square = l * (2 / std::sqrt(3.)) / data_.valence(i);
-  const bool has_long_link = s.longest_link_square > LONG_LINK_EDGE * LONG_LINK_EDGE * link_square;
+  const double bound = has_long_protected_edges_ ? LONG_LINK_EDGE_BESIDE_PROTECTED : LONG_LINK_EDGE;
+  const bool has_long_link = s.longest_link_square > bound * bound * link_square;
+  if (flatness < RHO_GUARDED || data_.mobility[i] == Mobility::guarded || (has_long_link && has_long_protected_edges_))
+    step_factor_[i] = -step_factor_[i];
   safe_step_[i] = SAFE_STEP * SAFE_STEP * flatness * s.smallest_square / (has_long_link ? s.longest_link_square : link_square);
   return s.to_centre;
 }
