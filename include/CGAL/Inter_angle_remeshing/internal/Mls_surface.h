@@ -61,7 +61,8 @@ public:
   using Barycentric = std::array<double, 3>;
 
   // Of the faces that are larger than `least_size`; on the other ones, and on those of which `is_flat` says so, whose size is 0, the
-  // surface is the triangle. Features are the border, constrained edges, and those of the half-edges `creases`.
+  // surface is the triangle. Features are the border, constrained edges, those of the half-edges `creases`, and edges where two wide planar
+  // polygons meet.
   Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_size = -1,
               const std::vector<char>* is_flat = nullptr);
 
@@ -217,7 +218,8 @@ inline void Mls_surface::find_features(const std::vector<Index>& creases)
   }
 }
 
-// Where two planes meet that have been designed as such, the surface has a crease, however blunt.
+// Where two planes meet that have been designed as such, the surface has a crease, however blunt: from a dozen times the angle on to which
+// polygons are plane.
 inline void Mls_surface::find_creases_between_planes()
 {
   constexpr double CREASE_COSINE = 0.99985;        // 1 degree
