@@ -75,11 +75,11 @@ double longest_edge_in_targets(const Remeshing_mesh& mesh, const Target& target)
   return std::sqrt(longest);
 }
 
-// Whether a protected edge is several times as long as the target length between its ends.
+// Whether a protected edge is dozens of times as long as the target length between its ends.
 template <class Target>
 bool has_long_protected_edge(const Remeshing_mesh& mesh, const Target& target)
 {
-  constexpr double LONG = 3;
+  constexpr double LONG = 20;
   bool result = false;
   mesh.for_each_edge([&](Remeshing_mesh::Index h) {
     if (result || !mesh.is_protected(h)) return;
