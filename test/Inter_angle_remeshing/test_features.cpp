@@ -2691,6 +2691,25 @@ void dense_curves_leave_no_needles()
   }
 }
 
+// Sides of prisms that are a little narrower than the target length, with rows of vertices at the same heights, have no vertices in their
+// middles, which needles would surround.
+void sides_of_prisms_have_no_vertices_in_their_middles()
+{
+  for(const std::size_t sides : {4, 6})
+    for(const auto& [spacing, length] : {std::make_pair(1.5, 1.2), std::make_pair(2.5, 1.05), std::make_pair(2.5, 1.2)})
+    {
+      const double radius = .5 / std::sin(CGAL_PI / double(sides));     // of sides of width 1
+      meshes::Profile profile;
+      for(int ring = 0; ring <= 40; ++ring)
+        profile.push_back({radius, spacing * ring});
+      const Mesh prism = meshes::to_mesh<Mesh>(meshes::turned(profile, sides, false));
+      Mesh m = prism;
+      const auto report = IAR::isotropic_remeshing(length, m);
+      CHECK(topology(m) == topology(prism) && std::abs(PMP::area(m) / PMP::area(prism) - 1) < 1e-6);
+      CHECK_MESSAGE(report.angles_after.minimum > 28, sides << ", " << spacing << ", " << length << ": " << report.angles_after.minimum);
+    }
+}
+
 int main()
 {
   coarser_runs_find_no_more();
@@ -2766,6 +2785,7 @@ int main()
   jagged_seams_are_followed_at_the_scale_of_the_target();
   jagged_borders_are_followed_at_the_scale_of_the_target();
   dense_curves_leave_no_needles();
+  sides_of_prisms_have_no_vertices_in_their_middles();
   round_rims_are_coarsened();
   coarse_results_are_still_cad_models();
   a_count_is_met_in_spite_of_grading();

@@ -91,6 +91,7 @@ private:
     is_fitted_ = is_fitted_ || passes_.goes_on();
     passes_.fit();
     passes_.polish();
+    if (passes_.remove_middles_of_strips() > 0) passes_.polish();
     Repairer repairer(context_, report_.input_faces);
     passes_.repair(repairer);
     if (passes_.lower_distances() > 0) passes_.repair(repairer);

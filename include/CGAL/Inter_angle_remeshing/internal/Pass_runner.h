@@ -18,6 +18,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/fit_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/flip_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/glide_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/narrow_strip_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/polish_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/regular_valence.h>
 #include <CGAL/Inter_angle_remeshing/internal/relax_pass.h>
@@ -205,6 +206,15 @@ public:
   void polish()
   {
     if (recipe_.sweeps > 0) run(Pass::polish, [&]() { return polish_pass(context_); });
+  }
+
+  // Returns the number of collapses.
+  std::size_t remove_middles_of_strips()
+  {
+    if (!repairs() || !mesh_.has_curves() || context_.collapse_rule.is_never()) return 0;
+    const std::size_t collapses = run(Pass::repair, [&]() { return narrow_strip_pass(context_); });
+    report_.collapses += collapses;
+    return collapses;
   }
 
   // Returns the number of spots where the distance is smaller now.
