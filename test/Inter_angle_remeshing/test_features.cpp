@@ -1333,7 +1333,7 @@ Mesh drilled_block(unsigned seed)
 void curves_that_would_touch_stay_apart()
 {
   struct Case { unsigned seed; double least_angle; };
-  for(const auto& [seed, least_angle] : {Case{4, 20}, Case{9, 4}, Case{10, 20}})
+  for(const auto& [seed, least_angle] : {Case{4, 20}, Case{9, 4}, Case{10, 10}})
   {
     Mesh m = drilled_block(seed);
     const Topology before = topology(m);
@@ -1357,6 +1357,56 @@ void thin_plates_do_not_become_flat()
       CHECK_MESSAGE(keeps_all_corners(plate, m), corner << ", " << thickness);
       CHECK_MESSAGE(std::abs(PMP::volume(m) / PMP::volume(plate) - 1) < .01, corner << ", " << thickness << ": " << PMP::volume(m));
     }
+}
+
+// A block, 4 by 1 by 1, with a groove along it, so wide at its bottom and at the top; in so many lengths.
+Mesh grooved_block(double bottom, double top, std::size_t lengths)
+{
+  const std::array<std::array<double, 2>, 8> section{{{0, 0}, {1, 0}, {1, 1}, {.5 + top / 2, 1}, {.5 + bottom / 2, .4},
+                                                      {.5 - bottom / 2, .4}, {.5 - top / 2, 1}, {0, 1}}};
+  const std::size_t n = section.size();
+  meshes::Soup soup;
+  for(std::size_t i = 0; i <= lengths; ++i)
+    for(const auto& [y, z] : section)
+      soup.points.push_back({4 * double(i) / double(lengths), y, z});
+  for(std::size_t i = 0; i < lengths; ++i)
+    for(std::size_t j = 0; j < n; ++j)
+    {
+      const std::size_t a = i * n + j, b = i * n + (j + 1) % n;
+      soup.faces.push_back({a, b + n, b});
+      soup.faces.push_back({a, a + n, b + n});
+    }
+  for(const auto& [a, b, c] : std::vector<std::array<std::size_t, 3>>{{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {0, 4, 5}, {0, 5, 7}, {5, 6, 7}})
+  {
+    soup.faces.push_back({a, b, c});
+    soup.faces.push_back({lengths * n + a, lengths * n + c, lengths * n + b});
+  }
+  return meshes::to_mesh<Mesh>(soup);
+}
+
+// Beside the width that a groove or a wing has one target length away from its edge, the bottom or the blunt edge may be nothing.
+void blunt_edges_of_wedges_become_sharp()
+{
+  const double length = .1;
+  for(const double width : {.0005, .004})
+    for(const std::size_t lengths : {1, 40})
+    {
+      const Mesh input = grooved_block(width, .2, lengths);
+      Mesh m = input;
+      const auto report = IAR::isotropic_remeshing(length, m);
+      CHECK(topology(m) == topology(input) && !does_self_intersect(m));
+      CHECK_MESSAGE(report.angles_after.minimum > 30 && report.angles_after.maximum < 105,
+                    width << ", " << lengths << ": " << report.angles_after.minimum << " to " << report.angles_after.maximum);
+      CHECK(invariants::surface_distance(input, m).hausdorff() < 1.1 * width);
+    }
+  // What is wider stays, and what would close a slit.
+  for(const auto& [bottom, top] : {std::make_pair(.008, .2), std::make_pair(.0005, .0005), std::make_pair(.001, .002)})
+  {
+    const Mesh input = grooved_block(bottom, top, 40);
+    Mesh m = input;
+    IAR::isotropic_remeshing(length, m);
+    CHECK_MESSAGE(keeps_all_corners(grooved_block(bottom, top, 1), m) && topology(m) == topology(input), bottom << ", " << top);
+  }
 }
 
 // The sides of a plate are strips whose ends are corners. Where nothing else was to be split, they had stayed as they were, with angles of
@@ -2761,6 +2811,7 @@ int main()
   tiny_chamfers_are_merged();
   curves_that_would_touch_stay_apart();
   thin_plates_do_not_become_flat();
+  blunt_edges_of_wedges_become_sharp();
   plates_and_bars_have_good_angles_at_long_targets();
   merging_makes_nothing_cross();
   attributes_of_merged_chamfers_are_found();

@@ -12,6 +12,7 @@
 #  include <CGAL/Inter_angle_remeshing/Projection/Point_set_MLS_projector.h>
 #endif
 
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
@@ -754,6 +755,52 @@ void planes_that_meet_stay_planes()
   }
 }
 
+// A flat disk of radius 1 without a vertex inside, in triangles that halve the arcs of its rim over and over, and a conical skirt of small
+// ones around it.
+Mesh disk_with_skirt(double steepness)
+{
+  constexpr std::size_t ARCS = 8, N = 64;
+  meshes::Soup soup;
+  for(const double radius : {1., 1.1, 1.2})
+    for(std::size_t i = 0; i < N; ++i)
+    {
+      const double u = 2 * CGAL_PI * double(i) / double(N);
+      soup.points.push_back({radius * std::cos(u), radius * std::sin(u), steepness * (1 - radius)});
+    }
+  for(std::size_t i = 1; i + 1 < ARCS; ++i)
+    soup.faces.push_back({0, i * N / ARCS, (i + 1) * N / ARCS});
+  for(std::size_t step = N / ARCS; step > 1; step /= 2)
+    for(std::size_t i = 0; i < N; i += step)
+      soup.faces.push_back({i, i + step / 2, (i + step) % N});
+  for(std::size_t ring = 0; ring < 2 * N; ring += N)
+    for(std::size_t i = 0; i < N; ++i)
+    {
+      const std::size_t j = (i + 1) % N;
+      soup.faces.push_back({ring + i, ring + N + i, ring + N + j});
+      soup.faces.push_back({ring + i, ring + N + j, ring + j});
+    }
+  return to_mesh<Mesh>(soup);
+}
+
+// Where the rim of such a disk is marked, the small triangles at it do not bend the large ones over the rim. (They did: 2 target lengths
+// off.)
+void disks_within_marked_rims_stay_flat()
+{
+  for(const double steepness : {.5, .8})
+  {
+    const Mesh input = disk_with_skirt(steepness);
+    for(const double length : {.08, .1, .12, .15})
+    {
+      Mesh m = input;
+      const auto is_rim = m.add_property_map<Mesh::Edge_index, bool>("e:is_rim", false).first;
+      PMP::detect_sharp_edges(m, 20, is_rim);
+      IAR::isotropic_remeshing(faces(m), length, m, CGAL::parameters::edge_is_constrained_map(is_rim));
+      const double moved = invariants::surface_distance(input, m).hausdorff() / length;
+      CHECK_MESSAGE(moved < .1, steepness << " at " << length << ": " << moved);
+    }
+  }
+}
+
 // Around a capsule and a thick-walled tube with round ends, faces are many times as long as they are wide: what curves at the ends
 // says nothing about the straight part.
 void long_facets_stay_straight()
@@ -951,6 +998,7 @@ int main()
   a_coarse_mesh_becomes_a_fine_surface();
   fillets_leave_flats_flat();
   planes_that_meet_stay_planes();
+  disks_within_marked_rims_stay_flat();
   long_facets_stay_straight();
   walks_pass_any_number_of_facets();
   a_fit_comes_nearer();

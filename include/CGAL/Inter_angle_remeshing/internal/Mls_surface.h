@@ -145,6 +145,10 @@ private:
   }
   void find_features(const std::vector<Index>& creases);
   void find_creases_between_planes();
+  bool is_constrained(Index h) const
+  {
+    return (surface_->face_record(h >> 2).edge_flags & (Remeshing_mesh::CONSTRAINED << (h & 3))) != 0;
+  }
   bool is_at_curved_face(Index h) const { return is_corner_[surface_->origin(h)] || is_corner_[surface_->target(h)]; }
   bool is_fold(Index h) const;
   bool is_beside_fold(Index h) const;
@@ -210,10 +214,8 @@ inline void Mls_surface::find_features(const std::vector<Index>& creases)
   is_on_fold_.assign(surface_->number_of_vertices(), 0);
   for (const Index h : creases) mark(h);
   for (Index h = 0; h < 4 * Index(faces_.size()); ++h) {
-    const Index k = h & 3;
-    if (k == 3 || !is_at_curved_face(h)) continue;
-    const bool is_constrained = (surface_->face_record(h >> 2).edge_flags & (Remeshing_mesh::CONSTRAINED << k)) != 0;
-    if (is_constrained || surface_->is_border(h)) mark(h);
+    if ((h & 3) == 3 || !is_at_curved_face(h)) continue;
+    if (is_constrained(h) || surface_->is_border(h)) mark(h);
     if (surface_->opposite(h) < h && is_fold(h)) is_on_fold_[surface_->origin(h)] = is_on_fold_[surface_->target(h)] = 1;
   }
 }
@@ -344,7 +346,7 @@ inline void Mls_surface::fit_sector(const std::vector<Index>& sector, std::vecto
   if (surface_->origin(last) != surface_->target(sector.front())) add_first_neighbor(surface_->origin(last));
   for (const Index h : sector) {
     const Index link = Reference_surface::next(h), across = surface_->opposite(link);
-    if (across >= 0 && !is_feature(link)) offsets.push_back(offset(surface_->apex(across)));
+    if (across >= 0 && !is_feature(link) && !is_constrained(link)) offsets.push_back(offset(surface_->apex(across)));
   }
   scale /= double(first_neighbors);
   const double l = length(sum);

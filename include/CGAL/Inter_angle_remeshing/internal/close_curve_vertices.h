@@ -33,6 +33,9 @@ class Close_curve_vertices
 {
   using Index = Remeshing_mesh::Index;
 
+  // The rims of a wedge, of which little is seen, may be so many times as far apart.
+  static constexpr double WEDGE_TOLERANCE = 3;
+
 public:
   // `is_corner` tells the corners of the curves, those of chamfers, too; `tolerance(v)`, how far the surface may move at a vertex;
   // `stays_apart`, which vertices within curves are not merged.
@@ -59,7 +62,7 @@ public:
     for (bool goes_on = true; goes_on;) {
       goes_on = false;
       for (const auto& [squared_length, h] : tiny_edges())
-        if (mesh_.is_face(mesh_.face(h)) && is_tiny(h) && !is_across_wall(h) && merge_ends(h)) goes_on = true;
+        if (mesh_.is_face(mesh_.face(h)) && is_tiny(h) && merge_ends(h)) goes_on = true;
     }
   }
 
@@ -108,20 +111,51 @@ private:
     const Index a = mesh_.origin(h), b = mesh_.target(h);
     const bool is_a_on_curve = mesh_.is_on_curve(a), is_b_on_curve = mesh_.is_on_curve(b);
     if (!is_a_on_curve && !is_b_on_curve) return false;
-    const double longest = !is_b_on_curve ? tolerance_[a] : !is_a_on_curve ? tolerance_[b] : (std::min)(tolerance_[a], tolerance_[b]);
+    const double tolerance = !is_b_on_curve ? tolerance_[a] : !is_a_on_curve ? tolerance_[b] : (std::min)(tolerance_[a], tolerance_[b]);
     const bool joins_curves = is_a_on_curve && is_b_on_curve &&
                               (mesh_.is_on_curve_edge(h) ? is_corner_[a] && is_corner_[b]
                                                          : (is_corner_[a] && is_corner_[b]) || !(stays_apart_[a] || stays_apart_[b]));
-    return mesh_.squared_edge_length(h) <= CGAL::square(joins_curves ? longest : ROUNDING * longest);
+    const auto is_shorter_than = [&](double longest) { return mesh_.squared_edge_length(h) <= longest * longest; };
+    return is_shorter_than((joins_curves ? 1 : ROUNDING) * tolerance) ||
+           (joins_curves && is_shorter_than(WEDGE_TOLERANCE * tolerance) && sides_across(h) == Sides::of_wedge);
   }
 
-  // Whether the surface looks to opposite sides beside the two ends, as at the rims of a thin plate or of a slit: it would become flat.
-  bool is_across_wall(Index h) const
+  // What the two ends of an edge are the rims of, if the surface looks to opposite sides beside them.
+  enum class Sides
+  {
+    of_neither,
+    of_wall,          // a thin plate or a slit, which would become flat
+    of_wedge          // as a wing at its trailing edge, or a groove: its sides diverge from the rims on, which are as good as one
+  };
+
+  Sides sides_across(Index h) const
   {
     const std::vector<Vector3> normals = normals_beside(h), others = normals_beside(mesh_.opposite(h));
-    return std::any_of(normals.begin(), normals.end(), [&](const Vector3& m) {
-      return std::any_of(others.begin(), others.end(), [&](const Vector3& n) { return look_to_opposite_sides(m, n); });
-    });
+    Sides result = Sides::of_neither;
+    for (const Vector3& m : normals)
+      for (const Vector3& n : others) {
+        if (!look_to_opposite_sides(m, n)) continue;
+        if (!do_diverge(h, m, n)) return Sides::of_wall;
+        result = Sides::of_wedge;
+      }
+    return result;
+  }
+
+  // Whether sides with these normals are WIDER times as far from each other as the edge of h is long where they are WAY times the
+  // tolerance away from it, a target length by default. What lies between the rims looks away from there.
+  bool do_diverge(Index h, const Vector3& m, const Vector3& n) const
+  {
+    constexpr double WAY = 50, WIDER = 5;
+    const Index o = mesh_.opposite(h), a = mesh_.source(h), b = mesh_.source(o);
+    const double width = length(mesh_.position(a) - mesh_.position(b)), way = WAY * (std::min)(tolerance_[a], tolerance_[b]);
+    const Vector3 away = unit(m) + unit(n);
+    const auto is_rim = [&](Index k) {
+      if (k < 0) return false;
+      const Vector3 &p = mesh_.position(a), &q = mesh_.position(b), &r = mesh_.position(mesh_.apex(k));
+      const Vector3 normal = k == h ? triangle_cross(p, q, r) : triangle_cross(q, p, r);
+      return !is_degenerate(normal, p, q, r) && way * dot(away, unit(normal)) >= WIDER * width;
+    };
+    return is_rim(h) || is_rim(o);
   }
 
   // The cross products of the faces at the source of h, without those at the edge of h and those that look nowhere.
@@ -144,7 +178,10 @@ private:
   {
     Index first = h, second = mesh_.opposite(h);
     if (rank(mesh_.source(first)) > rank(mesh_.source(second))) std::swap(first, second);
-    return merge_source(first) || merge_source(second);
+    const Sides sides = sides_across(h);
+    if (sides == Sides::of_wall) return false;
+    const double most = sides == Sides::of_wedge ? WEDGE_TOLERANCE : 1;
+    return merge_source(first, most) || merge_source(second, most);
   }
 
   // Whether one of its curves comes to a corner, or to where curves touch, no farther from v than twice the distance up to which vertices are
@@ -176,11 +213,12 @@ private:
     return curve_edges_at(v) + (is_corner_[v] ? CORNER : 0) + (mesh_.is_locked(v) ? LOCKED : 0);
   }
 
-  bool merge_source(Index h)
+  // The vertices that one stands for may be no farther from it than `most` times the tolerance.
+  bool merge_source(Index h, double most)
   {
     const Index a = mesh_.source(h), b = mesh_.source(mesh_.opposite(h));
     const double shift = (std::max)(shift_[b], shift_[a] + length(mesh_.position(a) - mesh_.position(b)));
-    if (shift > tolerance_[b] || !may_go(h) || !turns_no_face(h)) return false;
+    if (shift > most * tolerance_[b] || !may_go(h) || !turns_no_face(h)) return false;
     if (!is_corner_[a] || !is_corner_[b]) is_zipped_[a] = is_zipped_[b] = 1;
     shift_[b] = shift;
     became_[a] = b;
