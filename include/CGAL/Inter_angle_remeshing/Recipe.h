@@ -108,9 +108,10 @@ struct Recipe
   /// rounding error. They would stay, with needles between them. The visitor is not told, and the report does not count them. Where
   /// chains along the middle of fillets meet, see `fillet_width`, the distance is 0.35.
   /// A plate or slit that is as thin stays, whose sides look to opposite directions within 30 degrees, and so does what would make a
-  /// mesh cross itself that does not, and vertices within curves that would touch each other there again and again. But the rims of the
-  /// blunt edge of a wedge, as the trailing edge of a wing or the bottom of a groove, become one up to three times as far apart, where
-  /// its sides have five times the rims' distance fifty of these distances (one target length) away from them.
+  /// mesh cross itself that does not, and vertices within curves that would touch each other there again and again.
+  /// Three times as far apart may be what moves little of the surface: two corners that an edge of a curve joins, and the rims of the
+  /// blunt edge of a wedge, as the trailing edge of a wing or the bottom of a groove, where its sides have five times the rims' distance
+  /// fifty of these distances (one target length) away from them.
   /// Nothing is merged where `edge_is_constrained_map`, `sharpness_angle`, `face_patch_map`, a policy, a `false` in its place or a
   /// projection functor is handed over, or where features and borders may not be collapsed; vertices that may not move stay. 0 turns
   /// it off, at most 0.1.

@@ -33,8 +33,8 @@ class Close_curve_vertices
 {
   using Index = Remeshing_mesh::Index;
 
-  // The rims of a wedge, of which little is seen, may be so many times as far apart.
-  static constexpr double WEDGE_TOLERANCE = 3;
+  // Where little of the surface moves, as at two corners of a curve and at the rims of a wedge, ends may be so many times as far apart.
+  static constexpr double LARGER_TOLERANCE = 3;
 
 public:
   // `is_corner` tells the corners of the curves, those of chamfers, too; `tolerance(v)`, how far the surface may move at a vertex;
@@ -117,7 +117,7 @@ private:
                                                          : (is_corner_[a] && is_corner_[b]) || !(stays_apart_[a] || stays_apart_[b]));
     const auto is_shorter_than = [&](double longest) { return mesh_.squared_edge_length(h) <= longest * longest; };
     return is_shorter_than((joins_curves ? 1 : ROUNDING) * tolerance) ||
-           (joins_curves && is_shorter_than(WEDGE_TOLERANCE * tolerance) && sides_across(h) == Sides::of_wedge);
+           (joins_curves && is_shorter_than(LARGER_TOLERANCE * tolerance) && moves_little(h, sides_across(h)));
   }
 
   // What the two ends of an edge are the rims of, if the surface looks to opposite sides beside them.
@@ -140,6 +140,9 @@ private:
       }
     return result;
   }
+
+  // For an edge that joins curves.
+  bool moves_little(Index h, Sides sides) const { return mesh_.is_on_curve_edge(h) || sides == Sides::of_wedge; }
 
   // Whether sides with these normals are WIDER times as far from each other as the edge of h is long where they are WAY times the
   // tolerance away from it, a target length by default. What lies between the rims looks away from there.
@@ -180,7 +183,7 @@ private:
     if (rank(mesh_.source(first)) > rank(mesh_.source(second))) std::swap(first, second);
     const Sides sides = sides_across(h);
     if (sides == Sides::of_wall) return false;
-    const double most = sides == Sides::of_wedge ? WEDGE_TOLERANCE : 1;
+    const double most = moves_little(h, sides) ? LARGER_TOLERANCE : 1;
     return merge_source(first, most) || merge_source(second, most);
   }
 
