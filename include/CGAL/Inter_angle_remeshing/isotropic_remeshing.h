@@ -96,7 +96,8 @@ number of faces of the range and of the result, per iteration; at vertices with 
     \cgalParamDefault{`Inter_angle_flip_policy`, as `Recipe::policies` has it}
   \cgalParamNEnd
   \cgalParamNBegin{do_project}
-    \cgalParamDescription{whether vertices are pulled back onto a surface}
+    \cgalParamDescription{whether vertices are pulled back onto a surface; else they stay where tangential steps lead, and fine
+                          targets are reached without coarser levels}
     \cgalParamType{bool}
     \cgalParamDefault{`true`}
   \cgalParamNEnd

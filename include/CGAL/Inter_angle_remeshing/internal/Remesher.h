@@ -90,7 +90,8 @@ private:
   // Levels pay where the faces that come out of the iterations can be cut into four as they are.
   void choose_levels()
   {
-    if (!recipe_.multi_level || !context_.may_subdivide || recipe_.sweeps == 0 || context_.is_graded()) return;
+    if (!recipe_.multi_level || !context_.may_subdivide || recipe_.sweeps == 0 || context_.is_graded() ||
+        !context_.projector.moves_points()) return;
     const Coarse_levels coarse_levels = Coarse_levels::measure<ConcurrencyTag>(mesh_, context_.target_length);
     clock_.set_levels(coarse_levels.number(context_.target_length));
     if (clock_.levels() > 0 && !is_surface_far(context_))
