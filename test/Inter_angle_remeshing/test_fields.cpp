@@ -218,6 +218,36 @@ void functions_are_asked_inside_of_faces()
   CHECK_MESSAGE(m.number_of_faces() > 1000 && m.number_of_faces() < 10000, m.number_of_faces());
 }
 
+// What a function says in the middle of a large face, far from its vertices, is not overlooked. (The cube stayed as it was, or had up to
+// sixteen times the wanted number of faces.)
+void details_inside_of_faces_are_found()
+{
+  const Mesh cube = meshes::to_mesh<Mesh>(meshes::cube(1));
+  for(const Point& centre : {Point(.5, .5, 1), Point(.68, .4, 1)})
+  {
+    constexpr double RADIUS = .15, SHORT = .025, LONG = 1.25;
+    const auto spot = [&](const Point& p) { return CGAL::squared_distance(p, centre) < RADIUS * RADIUS ? SHORT : LONG; };
+    Mesh m = cube;
+    const auto report = IAR::isotropic_remeshing(spot, m);
+    double sum = 0;
+    int edges = 0;
+    for(const Edge e : m.edges())
+      if(CGAL::squared_distance(CGAL::midpoint(m.point(m.vertex(e, 0)), m.point(m.vertex(e, 1))), centre) < .8 * RADIUS * RADIUS)
+      {
+        sum += length_of(e, m);
+        ++edges;
+      }
+    CHECK_MESSAGE(edges > 150 && std::abs(sum / (edges * SHORT) - 1) < .2, centre << ": " << edges << ", " << sum / edges);
+    CHECK_MESSAGE(m.number_of_faces() < 2000 && report.band_holds, centre << ": " << m.number_of_faces());
+    m = cube;
+    IAR::isotropic_remeshing(IAR::Face_count(4000).scaling(spot), m);
+    CHECK_MESSAGE(std::abs(m.number_of_faces() / 4000. - 1) < .02, centre << ": " << m.number_of_faces());
+    m = cube;
+    IAR::isotropic_remeshing(faces(m), spot, m, parameters::do_split(false));
+    CHECK(m.number_of_faces() <= cube.number_of_faces());
+  }
+}
+
 // --- curvature ---------------------------------------------------------------------------------------------------
 
 using Curvature_field = IAR::Curvature_sizing_field<Mesh>;
@@ -1088,6 +1118,7 @@ int main()
   uniform_fields_are_numbers();
   numbers_of_faces_scale_fields();
   functions_are_asked_inside_of_faces();
+  details_inside_of_faces_are_found();
   curvature_of_a_sphere_and_a_torus();
   curvature_with_noise();
   curvature_at_features_and_borders();

@@ -106,7 +106,8 @@ struct Remeshing_report
   bool are_crossing_faces_known = false;
   /// the angles of the range before
   Angles angles_before;
-  /// the angles of the range afterwards
+  /// the angles of the range afterwards, as what follows in double precision: before points are rounded to those of the mesh, whose
+  /// numbers may be of type `float`
   Angles angles_after;
   /// the number of faces with an angle out of the band; those whose angle is the input's count, too
   std::size_t number_of_faces_out_of_band = 0;

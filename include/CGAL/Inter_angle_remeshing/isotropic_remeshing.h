@@ -61,7 +61,8 @@ number of faces of the range and of the result, per iteration; at vertices with 
        with the mean edge length of the range; policies see no target length. `Recipe::clean_up` off leaves flips and relaxation
        alone, in a tenth to a half of the time. Of a sizing field the member `at(vertex, mesh)` is called for each vertex of the
        range, and nothing else; in between it is interpolated. A functor is called at the vertices as they are at the time,
-       concurrently with `Parallel_tag`. Both may be handed over by `std::cref`.
+       concurrently with `Parallel_tag`, and before the first iteration at some thousands of points inside of large faces. Both may be
+       handed over by `std::cref`.
 @param tmesh the mesh
 @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below; a `Recipe` is
        put at the head of it by `recipe()`

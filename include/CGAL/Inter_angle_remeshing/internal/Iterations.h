@@ -70,6 +70,7 @@ public:
   void run()
   {
     passes_.go_to_far_surface();
+    passes_.find_details_of_field();
     Face_count_steering steering(context_.target_length);
     while (clock_.has_iterations_left() && passes_.goes_on()) {
       steering.steer(context_, clock_, passes_.wanted_faces());

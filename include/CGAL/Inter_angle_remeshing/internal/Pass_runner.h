@@ -15,6 +15,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/distance_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
 #include <CGAL/Inter_angle_remeshing/internal/face_count_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/field_detail_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/fit_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/flip_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/glide_pass.h>
@@ -163,6 +164,12 @@ public:
       });
     if (wanted_faces() > 0 && area_before > 0) context_.target_length *= std::sqrt(area(mesh_) / area_before);
     check_number_of_faces();
+  }
+
+  void find_details_of_field()
+  {
+    if (context_.sizing.is_function() && !context_.split_rule.is_never())
+      report_.splits += run(Pass::split, [&]() { return field_detail_pass<ConcurrencyTag>(context_); });
   }
 
   void subdivide()

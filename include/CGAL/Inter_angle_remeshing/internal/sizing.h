@@ -60,8 +60,8 @@ public:
   Sizing(const Remeshing_mesh& mesh, const std::vector<double>& lengths, double length_unit, Function function)
     : function_(std::move(function)), unit_(mesh.unit()), length_unit_(length_unit)
   {
-    double area = 0, count = 0;
-    for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) area += length(mesh.cross_product(f));
+    double count = 0;
+    for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) doubled_area_ += length(mesh.cross_product(f));
     for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) {
       Corners corner;
       for (int k = 0; k < 3; ++k) {
@@ -70,10 +70,9 @@ public:
       }
       const double doubled_area = length(mesh.cross_product(f));
       if (!(doubled_area > 0)) continue;
-      const auto cuts_for = [&](double pieces) { return (std::max)(0, int(std::ceil(std::log2(pieces * doubled_area / area) / 2))); };
-      count += integral(corner, doubled_area, function_ ? cuts_for(FEWEST_PIECES) : 0, cuts_for(MOST_PIECES));
+      count += integral(corner, doubled_area, function_ ? cuts_for(FEWEST_PIECES, doubled_area) : 0, cuts_for(MOST_PIECES, doubled_area));
     }
-    reference_length_ = count > 0 ? std::sqrt(area / count) : lengths.front();
+    reference_length_ = count > 0 ? std::sqrt(doubled_area_ / count) : lengths.front();
     if (!(reference_length_ > 0)) refuse_too_small_field();
     parts_.resize(mesh.number_of_face_slots());
     for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) {
@@ -94,6 +93,25 @@ public:
 
   // Whether vertices must be looked up on the input.
   bool needs_places() const { return !is_uniform() && !function_; }
+
+  bool is_function() const { return bool(function_); }
+  // Whether a function is asked inside of face f of the mesh.
+  bool looks_inside(const Remeshing_mesh& mesh, Index f) const
+  {
+    return is_function() && cuts_for(MOST_PIECES, length(mesh.cross_product(f))) > 0;
+  }
+  // Of a function, at the corners of face f of the mesh and at the points inside that are asked: the shortest lengths.
+  std::pair<double, double> shortest_parts(const Remeshing_mesh& mesh, Index f) const
+  {
+    Corners corner;
+    for (int k = 0; k < 3; ++k) {
+      const Vector3& p = mesh.position(mesh.face_record(f).vertex[k]);
+      corner[k] = {p, length_by_function(p)};
+    }
+    const double doubled_area = length(mesh.cross_product(f)), at_corners = least(corner);
+    const double inside = least_inside(corner, cuts_for(FEWEST_PIECES, doubled_area), cuts_for(MOST_PIECES, doubled_area));
+    return {at_corners / reference_length_, (std::min)(at_corners, inside) / reference_length_};
+  }
 
   // At vertex v of the mesh; the locator may be missing where places are not needed.
   double part_at(const Remeshing_mesh& mesh, Index v, const Input_locator* locator) const
@@ -116,6 +134,13 @@ private:
   // Of about so many pieces of the same area, over the whole range, a function is asked about the corners; and of as many more as there are
   // with the second number, as long as the lengths at those of one differ by more than this factor.
   static constexpr double FEWEST_PIECES = 4096, MOST_PIECES = 1 << 18, EVEN = 1.5;
+
+  // How often a face of the area is cut into four for so many pieces over the whole range.
+  int cuts_for(double pieces, double doubled_area) const
+  {
+    return (std::max)(0, int(std::ceil(std::log2(pieces * doubled_area / doubled_area_) / 2)));
+  }
+  static double least(const Corners& corner) { return (std::min)({corner[0].length, corner[1].length, corner[2].length}); }
 
   double length_by_function(const Vector3& p) const
   {
@@ -147,9 +172,25 @@ private:
     return sum + integral(middle, doubled_area / 4, cuts - 1, most_cuts - 1);
   }
 
+  // The least length at the points that `integral()` asks about.
+  double least_inside(const Corners& corner, int cuts, int most_cuts) const
+  {
+    const auto [least, most] = std::minmax({corner[0].length, corner[1].length, corner[2].length});
+    if (cuts <= 0 && (most_cuts <= 0 || most <= EVEN * least)) return least;
+    Corners middle;
+    for (int k = 0; k < 3; ++k) {
+      const Vector3 p = 0.5 * (corner[k].point + corner[(k + 1) % 3].point);
+      middle[k] = {p, length_by_function(p)};
+    }
+    double result = least_inside(middle, cuts - 1, most_cuts - 1);
+    for (int k = 0; k < 3; ++k)
+      result = (std::min)(result, least_inside({corner[k], middle[k], middle[(k + 2) % 3]}, cuts - 1, most_cuts - 1));
+    return result;
+  }
+
   std::vector<std::array<float, 3>> parts_;           // by input face, at its corners
   Function function_;
-  double reference_length_ = 0, unit_ = 1, length_unit_ = 1;
+  double doubled_area_ = 0, reference_length_ = 0, unit_ = 1, length_unit_ = 1;
 };
 
 } // namespace internal
