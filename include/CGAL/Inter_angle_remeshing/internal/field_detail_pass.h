@@ -6,28 +6,32 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FIELD_DETAIL_PASS_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/cross_products.h>
 #include <CGAL/Inter_angle_remeshing/internal/split_pass.h>
+
+#include <CGAL/number_utils.h>
 
 #include <cstddef>
 #include <vector>
 
 // Before the iterations, where the target length is a function of the position: passes ask it at vertices alone, and large faces may hide
-// where it is short. Such faces are cut, along the longest edge first, until it is about as short at a vertex.
+// where it is short. Such faces are cut, the longest edges first, until it is about as short at a vertex.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// The edge of face f that is the longest one of those that may be split; negative: none may.
-inline Remeshing_mesh::Index longest_edge_to_split(const Remeshing_context& context, Remeshing_mesh::Index f)
+// The edge whose split comes first if the longest edge of face f is to be split: the one at the end of the path on which each face
+// is left by its longest edge. It is that of both its faces, so that no split makes needles.
+inline Remeshing_mesh::Index edge_to_split_first(const Remeshing_mesh& mesh, Remeshing_mesh::Index f)
 {
-  using Index = Remeshing_mesh::Index;
-  const Remeshing_mesh& mesh = context.mesh;
-  Index longest = -1;
-  for (Index h = 4 * f; h < 4 * f + 3; ++h)
-    if ((longest < 0 || mesh.squared_edge_length(h) > mesh.squared_edge_length(longest)) && mesh.is_split_legal(h) &&
-        context.permits_split(h)) longest = h;
-  return longest;
+  Remeshing_mesh::Index h = longest_edge(mesh, f);
+  while (mesh.opposite(h) >= 0) {
+    const Remeshing_mesh::Index next = longest_edge(mesh, mesh.face(mesh.opposite(h)));
+    if (!(mesh.squared_edge_length(next) > mesh.squared_edge_length(h))) break;
+    h = next;
+  }
+  return h;
 }
 
 // Returns the number of splits.
@@ -51,10 +55,12 @@ std::size_t field_detail_pass(Remeshing_context& context)
       const auto [at_corners, inside] = context.sizing.shortest_parts(mesh, f);
       const bool hides_detail = HIDDEN * inside < at_corners;
       if (!hides_detail && !is_cut) continue;
-      const Index h = longest_edge_to_split(context, f);
       const double bound = (hides_detail ? 1 : COARSE) * inside * context.target_length;
-      if (h < 0 || mesh.squared_edge_length(h) <= CGAL::square(bound)) continue;
+      if (mesh.squared_edge_length(longest_edge(mesh, f)) <= CGAL::square(bound)) continue;
+      const Index h = edge_to_split_first(mesh, f);
+      if (!mesh.is_split_legal(h) || !context.permits_split(h)) continue;
       made.push_back(split(context, h));
+      faces.push_back(f);
       mesh.for_each_around(made.back().vertex, [&](Index k) { faces.push_back(mesh.face(k)); });
     }
   }
