@@ -40,9 +40,9 @@ std::size_t field_detail_pass(Remeshing_context& context)
 {
   using Index = Remeshing_mesh::Index;
   // A face hides lengths that are so many times as short as those at its corners. What is cut is cut further while it has edges so many
-  // times as long as it is at a corner.
+  // times as long as it is at a corner: else the iterations, which halve edges once each, would not end there.
   constexpr double HIDDEN = 1.5, COARSE = 4;
-  constexpr std::size_t MOST_SPLITS = 1 << 18;
+  constexpr std::size_t MOST_SPLITS = 1 << 18;     // as a function may have details of any number
   Remeshing_mesh& mesh = context.mesh;
   std::vector<Split_vertex> made;
   std::vector<Index> faces;

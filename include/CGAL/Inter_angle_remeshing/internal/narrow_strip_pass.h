@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// Faces under 25 degrees, as the square of the sine, are wanted larger by such a factor.
+// What a needle is: its least angle is under 25 degrees. The squares of the sine of that, and of what is gained at least.
 constexpr double NEEDLE_SQUARED_SINE = 0.178606194892, NEEDLE_SQUARED_GAIN = 1.5;
 // In target lengths: the longest new edge, and how far the strip may be from flat.
 constexpr double LONGEST_ACROSS_STRIP = 1.7, FLAT_STRIP = 0.05;

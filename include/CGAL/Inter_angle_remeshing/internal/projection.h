@@ -63,6 +63,7 @@ struct Projection
   double side = 1;                       // -1: the surface's faces look to the other side than those of the mesh
 
   bool has_faces() const { return surface != nullptr; }
+  // Whether there is a surface or a rule.
   bool moves_points() const { return surface != nullptr || rule != nullptr; }
   Vector3 operator()(const Vector3& q, Corner_table::Index& hint) const
   {

@@ -108,8 +108,9 @@ public:
       const Vector3& p = mesh.position(mesh.face_record(f).vertex[k]);
       corner[k] = {p, length_by_function(p)};
     }
-    const double doubled_area = length(mesh.cross_product(f)), at_corners = least(corner);
-    const double inside = least_inside(corner, cuts_for(FEWEST_PIECES, doubled_area), cuts_for(MOST_PIECES, doubled_area));
+    const double doubled_area = length(mesh.cross_product(f)),
+                 at_corners = (std::min)({corner[0].length, corner[1].length, corner[2].length}),
+                 inside = least_inside(corner, cuts_for(FEWEST_PIECES, doubled_area), cuts_for(MOST_PIECES, doubled_area));
     return {at_corners / reference_length_, (std::min)(at_corners, inside) / reference_length_};
   }
 
@@ -135,12 +136,11 @@ private:
   // with the second number, as long as the lengths at those of one differ by more than this factor.
   static constexpr double FEWEST_PIECES = 4096, MOST_PIECES = 1 << 18, EVEN = 1.5;
 
-  // How often a face of the area is cut into four for so many pieces over the whole range.
+  // How often a face of the area is cut into four for so many pieces over the whole range; one without an area is not.
   int cuts_for(double pieces, double doubled_area) const
   {
-    return (std::max)(0, int(std::ceil(std::log2(pieces * doubled_area / doubled_area_) / 2)));
+    return doubled_area > 0 ? (std::max)(0, int(std::ceil(std::log2(pieces * doubled_area / doubled_area_) / 2))) : 0;
   }
-  static double least(const Corners& corner) { return (std::min)({corner[0].length, corner[1].length, corner[2].length}); }
 
   double length_by_function(const Vector3& p) const
   {
