@@ -982,6 +982,49 @@ void texture_coordinates_keep_their_seams()
   run(.5, parameters::protect_constraints(true));
 }
 
+// Where faces beside the range are divided, the parts have what their face had: corners a linear function, faces its number.
+void divided_faces_outside_the_range_have_their_part()
+{
+  Mesh m = meshes::to_mesh<Mesh>(meshes::square(6));
+  const auto value = [](const Point& p) { return Kernel::Point_2(3 * p.x() - p.y(), p.y()); };
+  const auto texture = m.add_property_map<Halfedge, Kernel::Point_2>("h:texture").first;
+  const auto number = m.add_property_map<Face, int>("f:number", -1).first;
+  const auto cell = [&](Face f) {
+    const Halfedge h = m.halfedge(f);
+    const Point c = CGAL::centroid(m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h))));
+    return 6 * int(6 * c.y()) + int(6 * c.x());
+  };
+  std::vector<Face> range;
+  for(const Face f : m.faces())
+  {
+    number[f] = cell(f);
+    if(number[f] % 6 < 3)
+      range.push_back(f);
+    for(const Halfedge h : m.halfedges_around_face(m.halfedge(f)))
+      texture[h] = value(m.point(m.target(h)));
+  }
+  IAR::Attribute_transfer<Mesh> transfer;
+  transfer.add_corner_map(texture);
+  transfer.add_face_map(number);
+  IAR::Recipe recipe;
+  recipe.split_rim = true;
+  const std::size_t outside = m.number_of_faces() - range.size();
+  const IAR::Remeshing_report report = IAR::isotropic_remeshing(range, .04, m, IAR::recipe(recipe, parameters::visitor(std::ref(transfer))));
+  CHECK(m.number_of_faces() > report.output_faces + outside);
+  for(const Face f : m.faces())
+  {
+    const Halfedge begin = m.halfedge(f);
+    bool is_outside = true;
+    for(const Halfedge h : m.halfedges_around_face(begin))
+    {
+      CHECK(CGAL::squared_distance(texture[h], value(m.point(m.target(h)))) < 1e-20);
+      is_outside = is_outside && m.point(m.target(h)).x() > .5 - 1e-12;
+    }
+    if(is_outside)
+      CHECK_MESSAGE(number[f] == cell(f), number[f] << " " << cell(f));
+  }
+}
+
 // Outside the range corners keep their values to the last bit, and so do those that they share with it.
 void corners_outside_the_range_are_kept()
 {
@@ -1144,6 +1187,7 @@ int main()
   attributes_stay_in_their_parts();
   texture_coordinates_keep_their_seams();
   corners_outside_the_range_are_kept();
+  divided_faces_outside_the_range_have_their_part();
   a_seam_may_end_inside();
   normals_jump_at_features();
   the_lent_vertex_keeps_its_value();

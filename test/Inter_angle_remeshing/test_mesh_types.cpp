@@ -344,14 +344,24 @@ public:
   }
 
   // A range, with every map: unmarked edges, one patch and no kept vertex unless mark() was called.
-  IAR::Remeshing_report remesh(const Faces& range, double length)
+  IAR::Remeshing_report remesh(const Faces& range, double length, bool splits_rim = false)
   {
+    const auto is_in_range = [&](Face f) { return std::find(range.begin(), range.end(), f) != range.end(); };
+    const auto is_divided = [&](Face f) {
+      bool result = false;
+      if(splits_rim)
+        for(const auto h : CGAL::halfedges_around_face(halfedge(f, g_), g_))
+          result = result || (!CGAL::is_border(opposite(h, g_), g_) && is_in_range(face(opposite(h, g_), g_)));
+      return result;
+    };
     std::vector<std::pair<Face, Triangle>> outside;
     for(const Face f : faces(g_))
-      if(std::find(range.begin(), range.end(), f) == range.end())
+      if(!is_in_range(f) && !is_divided(f))
         outside.emplace_back(f, triangle(f));
-    const auto np = parameters::edge_is_constrained_map(edge_marks_).vertex_is_constrained_map(vertex_marks_)
-                               .face_patch_map(patches_).face_index_map(face_numbers_).number_of_iterations(5);
+    IAR::Recipe recipe;
+    recipe.split_rim = splits_rim;
+    const auto np = IAR::recipe(recipe, parameters::edge_is_constrained_map(edge_marks_).vertex_is_constrained_map(vertex_marks_)
+                               .face_patch_map(patches_).face_index_map(face_numbers_).number_of_iterations(5));
     IAR::Remeshing_report report;
     if constexpr(HAS_OWN_POINTS)
       report = IAR::isotropic_remeshing(range, length, g_, np);
@@ -512,6 +522,8 @@ History history_of_ranges()
   s.remesh({core.front()}, .01);
   remember("a single face");
   CHECK(history.back().second == history[history.size() - 2].second);
+  CHECK(s.remesh({core.front()}, .01, true).splits > 0);
+  remember("a single face whose edges may be split");
   run(s.sorted_faces(), .3, "all of it");
   CHECK(s.are_own_points_untouched());
   return history;

@@ -79,6 +79,11 @@ struct Recipe
   /// are chosen such that they resolve the input; where none does, where most of the mesh would lie near protected edges, or where a
   /// policy, also the paper's, a `false` in its place, or a grading rules the edges, the iterations run on the target length all the same.
   bool multi_level = true;
+  /// whether edges that the range shares with faces outside of it may be split, as `CGAL::Polygon_mesh_processing::isotropic_remeshing()`
+  /// does; those faces are then divided into triangles. It is meant for meshes that are remeshed part by part, where the faces outside
+  /// have their turn, too: with short edges in the range the divided faces are needles, and without it the faces inside are poor. Such
+  /// edges are never collapsed; with `protect_constraints(true)`, or next to a face that is no triangle, they stay as they are.
+  bool split_rim = false;
   /// by how much the target length rises with the distance from curves whose edges must be shorter than it is, where details
   /// are small or strips narrow, as a slope: such edges bring the target near them down to their own length, but not below 0.3 of
   /// it. So it is on CAD models, as the dihedral angles tell them, and wherever curves hold details of less than half the target

@@ -42,6 +42,7 @@ public:
   void run()
   {
     clock_.start_clean_up();
+    mesh_.settle_rim();
     passes_.measure_grading();
     mend_valences();
     if (passes_.goes_on() && clock_.levels() > 0) mend_spots();

@@ -48,6 +48,7 @@ public:
   static constexpr std::uint32_t PASSING = 4096;   // constrained in the iterations alone
   static constexpr std::uint32_t SEAM = 32768;     // constrained because patches meet there, and for nothing else
   static constexpr std::uint32_t JAGGED = 262144;  // of a chain of seams or of the border whose zigzag tells nothing
+  static constexpr std::uint32_t ON_RIM = 2097152; // shared with a face outside of the range that is divided where the edge is
 
   static constexpr Index NO_VERTEX = -1;
 
@@ -132,6 +133,14 @@ public:
   bool is_constrained(Index h) const { return has_flag(h, CONSTRAINED); }
   bool is_marked_by_user(Index h) const { return is_constrained(h) && !has_flag(h, FOUND); }
   bool is_protected(Index h) const { return has_flag(h, PROTECTED); }
+  bool is_on_rim(Index h) const { return has_flag(h, ON_RIM); }
+  // Whether it leads between two vertices of the input that stay, or is a part of an edge that does.
+  bool is_between_fixed_ends(Index h) const { return has_flag(h, PROTECTED | ON_RIM); }
+  // What lies outside of the range is known from now on: no edge of the rim is split or collapsed any more.
+  void settle_rim()
+  {
+    for_each_edge([&](Index h) { if (is_on_rim(h)) add_flags(h, PROTECTED); });
+  }
   bool has_protected_edge(Index f) const { return (faces_[f].edge_flags & (PROTECTED * 7)) != 0; }
   // Whether the edge belongs to a border or to a feature.
   bool is_on_curve_edge(Index h) const { return is_border(h) || is_constrained(h); }
@@ -411,7 +420,7 @@ private:
   Index new_face();
   Index new_vertex();
 
-  static constexpr std::uint32_t ALL_FLAGS = CONSTRAINED | PROTECTED | ON_CURVE | FOUND | PASSING | SEAM | JAGGED;
+  static constexpr std::uint32_t ALL_FLAGS = CONSTRAINED | PROTECTED | ON_CURVE | FOUND | PASSING | SEAM | JAGGED | ON_RIM;
 
   // The flags of the edge of h, moved down to the bits of edge 0.
   std::uint32_t flags(Index h) const { return (faces_[h >> 2].edge_flags >> (h & 3)) & ALL_FLAGS; }

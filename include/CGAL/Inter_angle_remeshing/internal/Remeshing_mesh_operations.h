@@ -51,12 +51,13 @@ inline bool Remeshing_mesh::keeps_topology(Index h) const
     if (v >= 0 && state_[v].valence <= least_valence(v)) return false;
 
   // Link condition: the common neighbors of a and b are the apexes. Where a is on the border, so is the edge,
-  // and the third edge of a border loop of three shows as one more common neighbor.
+  // and the third edge of a border loop of three shows as one more common neighbor. What was one edge of the rim may be one again.
   int common = 0;
   bool is_legal = true;
+  const Index beyond = is_on_rim(side) ? (h >= 0 ? origin(last_edge(a)) : target(first(a))) : NO_VERTEX;
   for_each_neighbor(a, [&](Index u) {
     if (u == b) return;
-    if (u != c && u != d) is_legal &= !may_double_edge(b, u);
+    if (u != c && u != d && u != beyond) is_legal &= !may_double_edge(b, u);
     for_each_neighbor(b, [&](Index w) { common += u == w; });
   });
   return is_legal && common == (c < 0 || d < 0 ? 1 : 2);
@@ -125,6 +126,7 @@ inline Remeshing_mesh::Index Remeshing_mesh::split(Index h, const Vector3& p)
   state_[m] = Vertex_state{std::uint16_t(g >= 0 ? 4 : 3), 0, 6};
   if (g < 0) add_marks(m, ON_BORDER);
   if (edge.flags & CONSTRAINED) add_marks(m, ON_FEATURE);
+  if (edge.flags & ON_RIM) add_marks(m, NEXT_TO_OUTSIDE);
   hint_[m] = hint_[a];
   input_[m] = NO_VERTEX;
   block_[m] = block_[a];

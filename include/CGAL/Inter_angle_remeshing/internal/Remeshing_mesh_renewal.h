@@ -194,6 +194,7 @@ void Remeshing_mesh::subdivide(const Subdivision_numbers& numbers, const std::ve
       result.state_[i] = Vertex_state{std::uint16_t(is_border(h) ? 4 : 6), 0, 6};
       if (is_border(h)) result.add_marks(i, ON_BORDER);
       if (is_constrained(h)) result.add_marks(i, ON_FEATURE);
+      if (is_on_rim(h)) result.add_marks(i, NEXT_TO_OUTSIDE);
     }
   });
   const unsigned shift = block_shift(result.block_.size());

@@ -6,8 +6,10 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SURROUNDINGS_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/Rim_chains.h>
 #include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
 #include <CGAL/Inter_angle_remeshing/internal/crossings.h>
+#include <CGAL/Inter_angle_remeshing/internal/divide_triangle.h>
 
 #include <algorithm>
 #include <array>
@@ -15,7 +17,8 @@
 #include <utility>
 #include <vector>
 
-// The faces outside of the range that are joined to its rim. No pass changes them; faces of the range shall not cross them.
+// The faces outside of the range that are joined to its rim. Where edges of the rim were split they are divided, else no pass changes
+// them; faces of the range shall not cross them.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -32,27 +35,25 @@ struct Surroundings
 class Mesh_in_surroundings;
 bool cross_each_other(const Mesh_in_surroundings& mesh, Corner_table::Index f, Corner_table::Index g);
 
-// The mesh together with its surroundings, whose faces and points have the names ~0, ~1, ...
+// The mesh together with its surroundings, whose faces and points have the names ~0, ~1, ... It is valid as long as no edge of the rim
+// is split or collapsed.
 class Mesh_in_surroundings
 {
 public:
   using Index = Remeshing_mesh::Index;
 
   Mesh_in_surroundings(const Remeshing_mesh& mesh, const Surroundings& surroundings)
-    : mesh_(mesh), surroundings_(surroundings), faces_(surroundings.faces.size())
+    : mesh_(mesh), surroundings_(surroundings)
   {
-    if (faces_.empty()) return;
+    if (surroundings.faces.empty()) return;
     std::vector<Index> on_rim(mesh.number_of_vertex_slots(), -1);             // by number in the input
     for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) {
       if (!mesh.is_vertex(v) || mesh.input(v) < 0 || (mesh.marks(v) & Remeshing_mesh::NEXT_TO_OUTSIDE) == 0) continue;
       if (std::size_t(mesh.input(v)) >= on_rim.size()) on_rim.resize(std::size_t(mesh.input(v)) + 1, -1);
       on_rim[mesh.input(v)] = v;
     }
-    for (std::size_t f = 0; f < faces_.size(); ++f)
-      for (int k = 0; k < 3; ++k) {
-        const Index v = surroundings.faces[f][k];
-        faces_[f].vertex[k] = v < 0 ? v : on_rim[v];
-      }
+    const Rim_chains chains(mesh);
+    for (const std::array<Index, 3>& corners : surroundings.faces) add_divided(corners, on_rim, chains);
   }
 
   bool is_alone() const { return faces_.empty(); }
@@ -99,6 +100,30 @@ public:
   }
 
 private:
+  // `on_rim` are the vertices of the mesh by their number in the input.
+  void add_divided(const std::array<Index, 3>& corners, const std::vector<Index>& on_rim, const Rim_chains& chains)
+  {
+    std::vector<Index> loop;
+    std::vector<Vector3> points;
+    std::array<std::size_t, 3> places;
+    const auto add = [&](Index v) {
+      loop.push_back(v);
+      points.push_back(position(v));
+    };
+    for (int k = 0; k < 3; ++k) {
+      const Index v = corners[k], next = corners[(k + 1) % 3];
+      places[k] = loop.size();
+      add(v < 0 ? v : on_rim[v]);
+      if (v < 0 || next < 0) continue;
+      if (const Rim_chains::Chain* chain = chains.find(next, v))
+        for (auto h = chain->halfedges.rbegin(); h + 1 != chain->halfedges.rend(); ++h) add(mesh_.origin(*h));
+    }
+    for (const std::array<std::size_t, 3>& piece : divide_triangle(points, places)) {
+      faces_.emplace_back();
+      for (int k = 0; k < 3; ++k) faces_.back().vertex[k] = loop[piece[k]];
+    }
+  }
+
   const Remeshing_mesh& mesh_;
   const Surroundings& surroundings_;
   std::vector<Corner_table::Face> faces_;

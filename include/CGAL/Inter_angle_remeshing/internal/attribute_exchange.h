@@ -100,6 +100,7 @@ public:
     if constexpr (READS_FACES)
       for (Index f = 0; f < Index(mesh.number_of_live_faces()); ++f)
         visitor_.read_face(std::size_t(f), exchange_.input_faces()[locator.place_of_face(mesh, f).source]);
+    read_outside(mesh);
   }
 
   // The user's mesh is the result.
@@ -115,9 +116,37 @@ public:
     if constexpr (READS_FACES)
       for (Index f = 0; f < Index(mesh.number_of_live_faces()); ++f)
         visitor_.write_face(std::size_t(f), exchange_.written_face(f));
+    write_outside(mesh);
   }
 
 private:
+  // New faces outside of the range are parts of one that was there before. Their vertices are the range's.
+  void read_outside(const Remeshing_mesh& mesh)
+  {
+    std::size_t face = mesh.number_of_live_faces(), corner = corners_read_;
+    for (const auto& f : exchange_.outside_faces().divided()) {
+      if constexpr (READS_FACES)
+        for (std::size_t i = 1; i < f.pieces.size(); ++i) visitor_.read_face(face++, f.face);
+      if constexpr (READS_CORNERS)
+        for (std::size_t place = 0; place < f.across.size(); ++place) {
+          const std::array<halfedge_descriptor, 3> corners{f.sides[2], f.sides[0], f.sides[1]};
+          visitor_.read_corner(corner++, corners, f.coordinates(place));
+        }
+    }
+    (void)face; (void)corner;
+  }
+
+  void write_outside(const Remeshing_mesh& mesh)
+  {
+    if constexpr (READS_FACES) {
+      std::size_t face = mesh.number_of_live_faces();
+      exchange_.outside_faces().for_each_new_face([&](auto, auto new_face) { visitor_.write_face(face++, new_face); });
+    }
+    if constexpr (READS_CORNERS)
+      exchange_.outside_faces().for_each_corner([&, first = corners_read_](std::size_t loop, std::size_t place, auto h) {
+        visitor_.write_corner(first + loop + place, h); }, tmesh_);
+  }
+
   // The half-edges that point to the corners of a face of the input, in the order of coordinates.
   std::array<halfedge_descriptor, 3> corners_of(Index source) const
   {
@@ -136,6 +165,7 @@ private:
                                                         : locator.place_of_vertex(mesh, mesh.origin(h));
       visitor_.read_corner(n++, corners_of(place.source), place.coordinates);
     });
+    corners_read_ = n;
   }
 
   // Gives number i to the sector of h. Returns whether curves bound it.
@@ -176,6 +206,7 @@ private:
   std::vector<Vector3> input_positions_;
 
   static constexpr std::size_t NONE = std::size_t(-1);
+  std::size_t corners_read_ = 0;           // in the range
   std::vector<std::size_t> sectors_;       // by half-edge of the result: the number of what its origin's corner reads
 };
 

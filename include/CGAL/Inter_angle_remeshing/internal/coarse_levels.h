@@ -45,14 +45,14 @@ public:
     Coarse_levels result;
     result.mean_length_ = mean_edge_length(mesh);
     if (!result.is_fine_enough(target_length)) return result;
-    result.protected_length_ = protected_length(mesh);
+    result.length_between_fixed_ends_ = length_between_fixed_ends(mesh);
     result.area_ = area(mesh);
     result.longest_edges_.assign(mesh.number_of_vertex_slots(), UNBENT);
     const std::size_t n = mesh.number_of_vertex_slots();
     for_each_block<ConcurrencyTag>(n, SCAN_BLOCK, [&](std::size_t begin, std::size_t end, std::size_t) {
       for (Index v = Index(begin); v < Index(end); ++v)
         if (mesh.is_free(v)) result.longest_edges_[v] = longest_edges_at(mesh, v);
-        else if (mesh.is_locked(v) && !has_protected_edge(mesh, v)) result.longest_edges_[v] = 0;
+        else if (mesh.is_locked(v) && !has_edge_between_fixed_ends(mesh, v)) result.longest_edges_[v] = 0;
     });
     return result;
   }
@@ -61,7 +61,7 @@ public:
   unsigned number(double target_length) const
   {
     unsigned levels = 0;
-    if (STRIP_WIDTH * target_length * protected_length_ > area_) return levels;
+    if (STRIP_WIDTH * target_length * length_between_fixed_ends_ > area_) return levels;
     while (is_fine_enough(target_length) && is_resolved(2 * target_length)) {
       target_length *= 2;
       ++levels;
@@ -97,22 +97,22 @@ private:
     return star.bend > 0 ? BENT / star.bend * star.mean_edge_length : UNBENT;
   }
 
-  static bool has_protected_edge(const Remeshing_mesh& mesh, Index v)
+  static bool has_edge_between_fixed_ends(const Remeshing_mesh& mesh, Index v)
   {
     bool result = false;
-    for_each_curve_halfedge(mesh, v, [&](Index h) { result = result || mesh.is_protected(h < 0 ? ~h : h); });
+    for_each_curve_halfedge(mesh, v, [&](Index h) { result = result || mesh.is_between_fixed_ends(h < 0 ? ~h : h); });
     return result;
   }
 
-  static double protected_length(const Remeshing_mesh& mesh)
+  static double length_between_fixed_ends(const Remeshing_mesh& mesh)
   {
     double sum = 0;
     mesh.for_each_edge([&](Index h) {
-      if (mesh.is_protected(h)) sum += std::sqrt(mesh.squared_edge_length(h)); });
+      if (mesh.is_between_fixed_ends(h)) sum += std::sqrt(mesh.squared_edge_length(h)); });
     return sum;
   }
 
-  double mean_length_ = 0, protected_length_ = 0, area_ = 0;
+  double mean_length_ = 0, length_between_fixed_ends_ = 0, area_ = 0;
   std::vector<double> longest_edges_;    // by vertex
 };
 

@@ -132,11 +132,17 @@ void write_constraints(const Exchange& exchange, const Remeshing_mesh& mesh, con
   (void)tmesh; (void)ecm; (void)fpm; (void)patches;
   if constexpr (!std::is_same<EdgeIsConstrainedMap, No_map>::value)
     if constexpr (is_writable<EdgeIsConstrainedMap>())
+    {
       mesh.for_each_edge([&](Index h) { put(ecm, edge(exchange.written_halfedge(h), tmesh), mesh.is_constrained(h)); });
+      for (const auto& h : exchange.outside_faces().new_edges()) put(ecm, edge(h, tmesh), false);
+    }
   if constexpr (!std::is_same<PatchMap, No_map>::value)
     if constexpr (is_writable<PatchMap>())
+    {
       for (Index f = 0; f < Index(mesh.number_of_live_faces()); ++f)
         put(fpm, exchange.written_face(f), patches[mesh.face_record(f).source]);
+      exchange.outside_faces().for_each_new_face([&](auto old_face, auto new_face) { put(fpm, new_face, get(fpm, old_face)); });
+    }
 }
 
 } // namespace internal

@@ -87,13 +87,13 @@ public:
       if (!mesh.is_vertex(v) || !mesh.is_on_curve(v)) continue;
       double sum = 0;
       int edges = 0;
-      bool is_protected = false;
+      bool has_fixed_ends = false;
       for_each_curve_halfedge(mesh, v, [&](Index h) {
-        is_protected = is_protected || mesh.is_protected(h < 0 ? ~h : h);
+        has_fixed_ends = has_fixed_ends || mesh.is_between_fixed_ends(h < 0 ? ~h : h);
         sum += length(mesh.position(mesh.source(mesh.opposite(h))) - mesh.position(v));
         ++edges;
       });
-      if (edges == 0 || is_protected) continue;
+      if (edges == 0 || has_fixed_ends) continue;
       const double bound = CURVE_EDGE * sum / (edges * target_length), before = part(v);
       if (bound >= before || !is_settled(v)) continue;
       part_[v] = float((std::max)(SMALLEST * before, bound));

@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_MESH_EXCHANGE_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh_graph.h>
+#include <CGAL/Inter_angle_remeshing/internal/Outside_faces.h>
 #include <CGAL/Inter_angle_remeshing/internal/flat_copy.h>
 #include <CGAL/Inter_angle_remeshing/internal/read_surroundings.h>
 
@@ -57,7 +58,7 @@ void allocate_removal_flags(Graph&, long) {}
 //
 // What the user holds on to stays: a vertex that survives keeps its descriptor, and its point to the last bit if it
 // was not moved; protected edges keep theirs; faces and other edges are used again before new ones are made. Faces
-// outside of the range are not touched: the border between them and the range is protected.
+// outside of the range are not touched, but that those beside the range are divided where an edge that they share with it was split.
 template <class TriangleMesh, class VertexPointMap>
 class Mesh_exchange
 {
@@ -92,12 +93,12 @@ public:
 
   const Surroundings& surroundings() const { return surroundings_; }
 
-  // Hands the flat mesh over, all marks and flags set, to be remeshed.
-  Remeshing_mesh take_mesh()
+  // Hands the flat mesh over, all marks and flags set, to be remeshed; where `may_split_rim`, edges on the rim may be split.
+  Remeshing_mesh take_mesh(bool may_split_rim)
   {
     surroundings_ = read_surroundings(copy_, tmesh_, vpm_);
     note_pinched_fans();
-    protect_what_is_shared();
+    bind_what_is_shared(may_split_rim);
     sort_edges();
     return std::move(copy_.mesh);
   }
@@ -124,6 +125,13 @@ public:
     connect(mesh);
     remove_the_rest();
   }
+
+  // The faces outside that the run has put vertices on: set after plan_outside_faces(mesh), `mesh` being the result.
+  void plan_outside_faces(const Remeshing_mesh& mesh)
+  {
+    outside_faces_.plan(tmesh_, vpm_, mesh, [&](Index source, Index target) { return kept_halfedge(source, target); });
+  }
+  const Outside_faces<TriangleMesh>& outside_faces() const { return outside_faces_; }
 
   // After write(): the user's vertex of v, the user's half-edge of h, and the user's face of f.
   vertex_descriptor written_vertex(Index v) const { return vertex_of_[v]; }
@@ -191,9 +199,9 @@ private:
     return fan;
   }
 
-  // Protects the edges towards faces outside, and those of the border that end there, and locks the ends of protected edges; a pinched
-  // vertex is locked, so that all fans of the user's keep to one point.
-  void protect_what_is_shared()
+  // Locks the ends of edges towards faces outside, and protects these, unless they may be split, and those of the border that end there; a
+  // pinched vertex is locked, so that all fans of the user's keep to one point.
+  void bind_what_is_shared(bool may_split_rim)
   {
     Remeshing_mesh& mesh = copy_.mesh;
     for (const Pinched_fan& fan : pinched_fans_) mesh.add_marks(fan.vertex, Remeshing_mesh::LOCKED);
@@ -202,13 +210,22 @@ private:
       if (!mesh.is_border(h)) return;
       const unsigned ends = mesh.marks(mesh.origin(h)) | mesh.marks(mesh.target(h));
       const bool is_outer = face(opposite(user, tmesh_), tmesh_) != Traits::null_face();
-      if (is_outer || (ends & Remeshing_mesh::NEXT_TO_OUTSIDE)) mesh.add_flags(h, Remeshing_mesh::PROTECTED);
+      if (is_outer && may_split_rim && !mesh.is_protected(h) && (ends & Remeshing_mesh::PINCHED) == 0 && may_divide_face_across(h, user))
+        mesh.add_flags(h, Remeshing_mesh::ON_RIM);
+      else if (is_outer || (ends & Remeshing_mesh::NEXT_TO_OUTSIDE)) mesh.add_flags(h, Remeshing_mesh::PROTECTED);
     });
     for_each_edge([&](Index h, halfedge_descriptor) {
-      if (!mesh.is_protected(h)) return;
+      if (!mesh.is_between_fixed_ends(h)) return;
       mesh.add_marks(mesh.origin(h), Remeshing_mesh::LOCKED);
       mesh.add_marks(mesh.target(h), Remeshing_mesh::LOCKED);
     });
+  }
+
+  // Whether the face outside is a triangle, and another one than that inside: a vertex would be joined to its apex twice.
+  bool may_divide_face_across(Index h, halfedge_descriptor user) const
+  {
+    const halfedge_descriptor side = opposite(user, tmesh_), following = next(side, tmesh_);
+    return next(next(following, tmesh_), tmesh_) == side && target(following, tmesh_) != copy_.vertices[copy_.mesh.apex(h)];
   }
 
   bool has_marks(unsigned marks) const
@@ -224,7 +241,7 @@ private:
     const Remeshing_mesh& mesh = copy_.mesh;
     spare_edges_.reserve(copy_.faces.size() + copy_.faces.size() / 2);
     for_each_edge([&](Index h, halfedge_descriptor user) {
-      if (!mesh.is_protected(h)) { spare_edges_.push_back(user); return; }
+      if (!mesh.is_between_fixed_ends(h)) { spare_edges_.push_back(user); return; }
       kept_edges_.push_back({mesh.origin(h), mesh.target(h), user});
       kept_edges_.push_back({mesh.target(h), mesh.origin(h), opposite(user, tmesh_)});
     });
@@ -252,7 +269,7 @@ private:
       is_kept_[i] = 1;
     }
     edges_needed_ = 0;
-    mesh.for_each_edge([&](Index h) { edges_needed_ += !mesh.is_protected(h); });
+    mesh.for_each_edge([&](Index h) { edges_needed_ += !is_kept(mesh, h); });
     vertices_made_ = 0;
     old_points_.clear();
     old_points_.reserve(copy_.vertices.size());
@@ -288,8 +305,9 @@ private:
 
   void make_room(const Remeshing_mesh& mesh)
   {
-    const std::size_t new_faces = mesh.number_of_live_faces() - (std::min)(mesh.number_of_live_faces(), copy_.faces.size()),
-                      new_edges = edges_needed_ - (std::min)(edges_needed_, spare_edges_.size());
+    const std::size_t outside = outside_faces_.number_of_new_faces(),
+                      new_faces = mesh.number_of_live_faces() - (std::min)(mesh.number_of_live_faces(), copy_.faces.size()) + outside,
+                      new_edges = edges_needed_ - (std::min)(edges_needed_, spare_edges_.size()) + outside;
     allocate_removal_flags(tmesh_, 0);    // before anything is made that take_back() would have to remove
     using Vertices_size = typename Traits::vertices_size_type;
     using Edges_size = typename Traits::edges_size_type;
@@ -300,6 +318,7 @@ private:
       vertex_of_[new_vertices_[vertices_made_]] = add_vertex(tmesh_);
     while (copy_.faces.size() < mesh.number_of_live_faces()) copy_.faces.push_back(add_face(tmesh_));
     while (spare_edges_.size() < edges_needed_) spare_edges_.push_back(halfedge(add_edge(tmesh_), tmesh_));
+    outside_faces_.make_elements(tmesh_);
   }
 
   // How many elements to reserve. A mesh whose elements lie in arrays moves all of them when these grow: were just what
@@ -323,22 +342,34 @@ private:
     for (; copy_.faces.size() > faces_before_; copy_.faces.pop_back()) remove_face(copy_.faces.back(), tmesh_);
     for (; spare_edges_.size() > edges_before_; spare_edges_.pop_back())
       remove_edge(edge(spare_edges_.back(), tmesh_), tmesh_);
+    outside_faces_.take_back(tmesh_);
   }
 
   halfedge_descriptor& halfedge_of(Index h) { return halfedge_of_[3 * (h >> 2) + (h & 3)]; }
 
-  // The user's half-edge of the protected half-edge h.
+  // Whether the edge of h, a half-edge of a face, keeps a descriptor: a protected one, or the first part of an edge on the rim.
+  static bool is_kept(const Remeshing_mesh& mesh, Index h)
+  {
+    return mesh.is_on_rim(h) ? mesh.input(mesh.origin(h)) >= 0 : mesh.is_protected(h);
+  }
+
   halfedge_descriptor kept_halfedge(const Remeshing_mesh& mesh, Index h) const
   {
-    const Kept_edge key{mesh.input(mesh.origin(h)), mesh.input(mesh.target(h)), halfedge_descriptor()};
-    return std::lower_bound(kept_edges_.begin(), kept_edges_.end(), key)->halfedge;
+    Index end = mesh.target(h);
+    while (mesh.input(end) < 0) end = mesh.target(mesh.first(end));
+    return kept_halfedge(mesh.input(mesh.origin(h)), mesh.input(end));
+  }
+
+  halfedge_descriptor kept_halfedge(Index source, Index target) const
+  {
+    return std::lower_bound(kept_edges_.begin(), kept_edges_.end(), Kept_edge{source, target, halfedge_descriptor()})->halfedge;
   }
 
   void connect(const Remeshing_mesh& mesh)
   {
     edges_used_ = 0;
     mesh.for_each_edge([&](Index h) {
-      halfedge_of(h) = mesh.is_protected(h) ? kept_halfedge(mesh, h) : spare_edges_[edges_used_++];
+      halfedge_of(h) = is_kept(mesh, h) ? kept_halfedge(mesh, h) : spare_edges_[edges_used_++];
       if (!mesh.is_border(h)) halfedge_of(mesh.opposite(h)) = opposite(halfedge_of(h), tmesh_);
     });
     mesh.for_each_halfedge([&](Index h) {
@@ -348,6 +379,7 @@ private:
       set_face(user, copy_.faces[h >> 2], tmesh_);
       if (mesh.corner(h) == 0) set_halfedge(copy_.faces[h >> 2], user, tmesh_);
     });
+    outside_faces_.connect(tmesh_, mesh, [&](Index v) { return vertex_of_[v]; }, [&](Index h) { return halfedge_of(h); });
     mesh.for_each_halfedge([&](Index h) { if (mesh.is_border(h)) connect_border(mesh, h); });
     for (Index v = 0; v < Index(vertex_of_.size()); ++v) connect_vertex(mesh, v);
     connect_pinched_fans(mesh);
@@ -357,7 +389,7 @@ private:
   void connect_border(const Remeshing_mesh& mesh, Index h)
   {
     const halfedge_descriptor side = opposite(halfedge_of(h), tmesh_);
-    if (mesh.is_protected(h) && face(side, tmesh_) != Traits::null_face()) return;
+    if (mesh.is_on_rim(h) || (mesh.is_protected(h) && face(side, tmesh_) != Traits::null_face())) return;
     set_face(side, Traits::null_face(), tmesh_);
     set_target(side, vertex_of_[mesh.origin(h)], tmesh_);
     if (mesh.marks(mesh.origin(h)) & (Remeshing_mesh::NEXT_TO_OUTSIDE | Remeshing_mesh::PINCHED)) return;
@@ -398,9 +430,10 @@ private:
     const unsigned marks = mesh.marks(v);
     if (marks & Remeshing_mesh::PINCHED) return;
     // One that lies on the border of the mesh, outside of the range, is known by a half-edge of that border.
-    const halfedge_descriptor known = halfedge(vertex_of_[v], tmesh_);
-    if ((marks & Remeshing_mesh::NEXT_TO_OUTSIDE) && target(known, tmesh_) == vertex_of_[v] &&
-        CGAL::is_border(known, tmesh_)) return;
+    if ((marks & Remeshing_mesh::NEXT_TO_OUTSIDE) && mesh.input(v) >= 0) {
+      const halfedge_descriptor known = halfedge(vertex_of_[v], tmesh_);
+      if (target(known, tmesh_) == vertex_of_[v] && CGAL::is_border(known, tmesh_)) return;
+    }
     set_halfedge(vertex_of_[v], opposite(halfedge_of(mesh.first(v)), tmesh_), tmesh_);
     if (marks & (Remeshing_mesh::ON_BORDER | Remeshing_mesh::NEXT_TO_OUTSIDE)) adjust_border(vertex_of_[v], tmesh_, 0);
   }
@@ -435,6 +468,7 @@ private:
   const char* caller_;
   Flat_copy<TriangleMesh> copy_;
   Surroundings surroundings_;
+  Outside_faces<TriangleMesh> outside_faces_;
   std::vector<Kept_edge> kept_edges_;
   std::vector<Pinched_fan> pinched_fans_;           // by number of the input vertex
   std::vector<halfedge_descriptor> spare_edges_;

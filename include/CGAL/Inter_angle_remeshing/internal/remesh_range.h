@@ -196,7 +196,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   const Input_kind kind = find_and_mark_features(exchange.mesh(), wanted, mean_length, keeps_surface<Parameters>(),
                                                  crest_width(parameters, target), parameters.recipe, parameters.constraint_settings);
   const auto patches = read_patches(parameters.face_patch_map, exchange.input_faces());
-  Remeshing_mesh mesh = exchange.take_mesh();
+  Remeshing_mesh mesh = exchange.take_mesh(parameters.recipe.split_rim && !parameters.constraint_settings.protect);
   settle_corners(mesh, kind, wanted, may_merge_curve_vertices(parameters, kind) ? parameters.recipe.merging_distance : 0.);
   mesh.renumber<ConcurrencyTag>(morton_order(mesh));
   // Without a length nothing is split or collapsed; steps and distances are measured against the edges that there are.
@@ -222,6 +222,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
     const Run_result result = run_passes<Concurrency>(context, parameters.schedule, untouched);
     (restore(), ...);
     is_to_be_written = result.has_target_length;
+    if (is_to_be_written) exchange.plan_outside_faces(mesh);
     if (is_to_be_written && attributes.are_carried()) attributes.read(mesh, *locator);
     return result.report;
   });
