@@ -982,6 +982,63 @@ void texture_coordinates_keep_their_seams()
   run(.5, parameters::protect_constraints(true));
 }
 
+double volume(const Mesh& m)
+{
+  double sum = 0;
+  for(const Face f : m.faces())
+  {
+    const Halfedge h = m.halfedge(f);
+    sum += CGAL::volume(Point(0, 0, 0), m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h))));
+  }
+  return sum;
+}
+
+// Of radius 1 and height 3, with a wall of .03 and unsplit sides.
+Mesh thin_tube()
+{
+  return meshes::to_mesh<Mesh>(meshes::turned({{.97, 0}, {1, 0}, {1, 3}, {.97, 3}}, 96, true));
+}
+
+// With a target length nearly as long as the radius: functions yield at small details as numbers do, and so do lengths that are looked for.
+void thin_walls_stay_with_functions_and_numbers_of_faces()
+{
+  const double expected = volume(thin_tube());
+  CHECK(std::abs(expected - .557) < .001);
+  const auto check = [&](const auto& length, double tolerance, const char* what) {
+    Mesh m = thin_tube();
+    const IAR::Remeshing_report report = IAR::isotropic_remeshing(length, m);
+    CHECK_MESSAGE(std::abs(volume(m) - expected) < tolerance && report.crossing_faces == 0,
+                  what << ": " << volume(m) << ", " << report.crossing_faces << " crossing faces, " << m.number_of_faces());
+  };
+  check(.8, .1, "a number");
+  check([](const Point&) { return .8; }, .1, "a function");
+  check(IAR::Face_count(600), .35, "a number of faces");
+}
+
+// Half of a ball is to be much finer than the rest: the rest is as near to the surface as if all were coarse.
+void a_fine_part_takes_nothing_from_the_rest()
+{
+  const Mesh input = meshes::to_mesh<Mesh>(meshes::sphere(5));
+  const auto mean_height = [&](double fine) {
+    Mesh m = input;
+    IAR::isotropic_remeshing([=](const Point& p) { return p.x() < 0 ? fine : .4; }, m);
+    double sum = 0, area = 0;
+    for(const Face f : m.faces())
+    {
+      const Halfedge h = m.halfedge(f);
+      const Point a = m.point(m.source(h)), b = m.point(m.target(h)), c = m.point(m.target(m.next(h))), center = CGAL::centroid(a, b, c);
+      if(center.x() < .5)
+        continue;
+      const double weight = std::sqrt(CGAL::squared_area(a, b, c));
+      sum += weight * (std::sqrt((center - CGAL::ORIGIN).squared_length()) - 1);
+      area += weight;
+    }
+    return sum / area;
+  };
+  const double coarse = mean_height(.4), mixed = mean_height(.01);
+  CHECK_MESSAGE(std::abs(mixed) < 2 * std::abs(coarse) + .001, coarse << " " << mixed);
+}
+
 // Where faces beside the range are divided, the parts have what their face had: corners a linear function, faces its number.
 void divided_faces_outside_the_range_have_their_part()
 {
@@ -1186,6 +1243,8 @@ int main()
     attributes_stay_in_their_patches(name);
   attributes_stay_in_their_parts();
   texture_coordinates_keep_their_seams();
+  thin_walls_stay_with_functions_and_numbers_of_faces();
+  a_fine_part_takes_nothing_from_the_rest();
   corners_outside_the_range_are_kept();
   divided_faces_outside_the_range_have_their_part();
   a_seam_may_end_inside();

@@ -42,6 +42,7 @@ public:
     if (wanted_faces == 0 || clock.iterations() == 0 || clock.is_late()) return;
     const double faces = double(context.mesh.number_of_live_faces()), ratio = faces / double(wanted_faces);
     double& length = context.target_length;
+    if (context.grading_rate > 0) return;
     if (context.is_graded() || context.spike_factor > 1) {
       if (clock.iterations() >= FIRST_STEP) length *= (std::max)(SMALLEST_STEP, (std::min)(LARGEST_STEP, std::sqrt(ratio)));
       return;

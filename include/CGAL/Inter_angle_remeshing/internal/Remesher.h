@@ -22,6 +22,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/run_passes.h>
 #include <CGAL/Inter_angle_remeshing/internal/spot_pass.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -71,11 +72,41 @@ private:
 
   void run_directly()
   {
+    if (context_.grading_rate > 0 && schedule_.wanted_faces > 0) find_length_for_face_count();
+    else iterate();
+    if (goes_on() && recipe_.clean_up) clean_up_.run();
+  }
+
+  void iterate()
+  {
     held_ = bent_vertices_between_long_edges(context_);
     hold();
     iterations_.run();
     release();
-    if (goes_on() && recipe_.clean_up) clean_up_.run();
+  }
+
+  // How many faces grading adds at details of curves nobody knows beforehand. The length is not steered while they are looked at, as curves
+  // would keep what they had at another one: the iterations begin anew with a better length, a few times.
+  void find_length_for_face_count()
+  {
+    constexpr int MOST_TRIALS = 4;
+    constexpr double NEAR = 1.04;        // the clean-up meets the number from here
+    constexpr double FIRST_POWER = 1.5;  // the number falls with this power of the length, with a power of 2 where nothing is graded
+    constexpr double LEAST_POWER = 0.5, LARGEST_POWER = 2, LARGEST_FACTOR = 2.5;
+    const Remeshing_mesh input = mesh_;
+    double power = FIRST_POWER, last_length = 0, last_faces = 0;
+    for (int trial = 1;; ++trial) {
+      iterate();
+      const double faces = double(mesh_.number_of_live_faces()), ratio = faces / double(schedule_.wanted_faces), length = context_.target_length;
+      if (!goes_on() || trial == MOST_TRIALS || (ratio < NEAR && NEAR * ratio > 1)) return;
+      if (trial > 1 && length != last_length && faces != last_faces)
+        power = (std::max)(LEAST_POWER, (std::min)(LARGEST_POWER, -std::log(faces / last_faces) / std::log(length / last_length)));
+      last_length = length;
+      last_faces = faces;
+      mesh_ = input;
+      context_.target_length = length * (std::max)(1 / LARGEST_FACTOR, (std::min)(LARGEST_FACTOR, std::pow(ratio, 1 / power)));
+      forget_what_was_done(0);
+    }
   }
 
   void hold()

@@ -95,7 +95,7 @@ struct Remeshing_context
     const Reference_surface& surface = *projector.surface;
     double sum = 0;
     for (Index f = 0; f < Index(surface.number_of_faces()); ++f) sum += surface.least_altitude(f);
-    return target_length < FINE * sum / (double(surface.number_of_faces()) * projector.factor);
+    return largest_length() < FINE * sum / (double(surface.number_of_faces()) * projector.factor);
   }
 
   // Whether a face with these corners turns its back on the surface at one of them: a fold, or soon to be one. On a

@@ -95,7 +95,7 @@ public:
       });
       if (edges == 0 || has_fixed_ends) continue;
       const double bound = CURVE_EDGE * sum / (edges * target_length), before = part(v);
-      if (bound >= before || !is_settled(v)) continue;
+      if (bound >= (has_field() ? YIELDING : 1.) * before || !is_settled(v)) continue;
       part_[v] = float((std::max)(SMALLEST * before, bound));
       sunk.push_back(v);
     }
@@ -118,6 +118,8 @@ public:
 private:
   // The target is a little longer than the mean curve edge, and at least this part of what it would be else.
   static constexpr double CURVE_EDGE = 1.05, SMALLEST = 0.3;
+  // A field says how long edges are to be: it yields where the mean curve edge is shorter than this part of that.
+  static constexpr double YIELDING = 0.6;
   // A field that rises faster than this leaves triangles no room to grow.
   static constexpr double STEEPEST_FIELD = 0.5;
   // A vertex whose part falls by less need not be looked at again.

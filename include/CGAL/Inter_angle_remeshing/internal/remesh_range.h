@@ -203,7 +203,7 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   const bool keeps_vertices = !(target > 0);
   if (keeps_vertices) target = mean_length;
   Input_curves curves(mesh);
-  const bool has_small_details = !keeps_vertices && wanted.sizing.is_uniform() &&
+  const bool has_small_details = !keeps_vertices &&
     (kind.is_cad || (!parameters.constraint_settings.protect && has_details_smaller_than(target, curves, mean_length)));
 
   Attribute_exchange attributes(parameters.visitor, exchange, tmesh, mesh);
