@@ -90,13 +90,28 @@ private:
     report_.are_crossing_faces_known = false;      // of faces that were mended before
     report_.crossing_faces = 0;
     is_fitted_ = is_fitted_ || passes_.goes_on();
-    passes_.fit();
-    passes_.polish();
+    fit_and_polish();
+    if (passes_.has_heaps()) {
+      repair_once();
+      if (passes_.mend_heaps()) fit_and_polish();
+    }
     if (passes_.remove_middles_of_strips() > 0) passes_.polish();
     Repairer repairer(context_, report_.input_faces);
     passes_.repair(repairer);
     if (passes_.lower_distances() > 0) passes_.repair(repairer);
     passes_.part_crossing_faces(repairer);
+  }
+
+  void fit_and_polish()
+  {
+    passes_.fit();
+    passes_.polish();
+  }
+
+  void repair_once()
+  {
+    Repairer repairer(context_, report_.input_faces);
+    passes_.repair(repairer);
   }
 
   Remeshing_context& context_;

@@ -181,8 +181,23 @@ public:
   bool mend_spots()
   {
     Spot_iteration<ConcurrencyTag> spots(context_, relaxation_);
-    run(Pass::mend, [&]() { return spots.run(curve_tolerance(), report_); });
+    run(Pass::mend, [&]() { return spots.run(curve_tolerance(), report_, LARGEST_SPOTS); });
     return spots.is_done();
+  }
+
+  bool has_heaps() const
+  {
+    return goes_on() && repairs() && !context_.keeps_vertices && !context_.collapse_rule.is_never() &&
+           internal::has_heaps<ConcurrencyTag>(context_);
+  }
+
+  // Iterates where heaps of vertices are left. Returns whether there were some.
+  bool mend_heaps()
+  {
+    constexpr double LARGEST_SHARE = 0.5;        // of the vertices, those around included
+    if (!has_heaps()) return false;
+    Spot_iteration<ConcurrencyTag> spots(context_, relaxation_);
+    return run(Pass::mend, [&]() { return spots.run(curve_tolerance(), report_, LARGEST_SHARE); }) > 0;
   }
 
   // Iterates around protected edges, beside which subdivision does not cut faces into four.

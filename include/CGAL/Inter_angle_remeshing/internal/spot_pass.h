@@ -37,6 +37,8 @@ inline bool is_poor_face(const Remeshing_context& context, Remeshing_mesh::Index
 
 // How many edges away from what was poor at first the vertices of a spot lie.
 constexpr int SPOT_REACH = 6;
+// On a level, where more than this part of the vertices belongs to spots, they are no spots: the mesh is one that needs the sweeps of all.
+constexpr double LARGEST_SPOTS = 0.02;
 
 template <class ConcurrencyTag>
 class Spot_iteration
@@ -51,8 +53,6 @@ class Spot_iteration
   // Around given vertices, so many: as many as there are iterations by default.
   static constexpr int ROUNDS_AROUND = 10;
   static constexpr unsigned SWEEPS = 5;
-  // Where more than this part of the vertices belongs to spots, they are no spots: the mesh is one that needs the sweeps of all.
-  static constexpr double LARGEST_SHARE = 0.02;
 
 public:
   Spot_iteration(Remeshing_context& context, Relaxation& relaxation)
@@ -62,8 +62,8 @@ public:
   // Whether no poor face is left.
   bool is_done() const { return seeds_.empty(); }
 
-  // Returns the number of vertices in the spots.
-  std::size_t run(double curve_tolerance, Remeshing_report& report)
+  // Returns the number of vertices in the spots, if these are at most that part of all.
+  std::size_t run(double curve_tolerance, Remeshing_report& report, double largest_share)
   {
     scan_into<ConcurrencyTag>(seeds_, mesh_.number_of_face_slots(), [&](std::size_t f, std::vector<Index>& found) {
       const auto& v = mesh_.face_record(Index(f)).vertex;
@@ -74,7 +74,7 @@ public:
     int stalled = 0;
     for (int round = 0; round < ROUNDS && !seeds_.empty() && stalled < PATIENCE; ++round) {
       find_region();
-      if (double(region_.movable) > LARGEST_SHARE * double(mesh_.number_of_live_vertices())) break;
+      if (double(region_.movable) > largest_share * double(mesh_.number_of_live_vertices())) break;
       count = (std::max)(count, region_.movable);
       iterate(curve_tolerance, report);
       find_seeds();
@@ -180,6 +180,27 @@ private:
   Sweep_data::Region region_;
   std::vector<char> is_in_region_;
 };
+
+// Whether a needle is left with an edge that is much shorter than the target length, away from curves: the last iteration has come before
+// a heap of vertices, as at a pole or where a scanner saw the same thing many times, was cleared away.
+template <class ConcurrencyTag>
+bool has_heaps(const Remeshing_context& context)
+{
+  using Index = Remeshing_mesh::Index;
+  constexpr double SHORT = 0.125, NEEDLE_ANGLE = 25;      // of the shortest edge that is not collapsed; in degrees
+  const Remeshing_mesh& mesh = context.mesh;
+  const Angle_band band(NEEDLE_ANGLE, 180);
+  std::vector<Index> found;
+  scan_into<ConcurrencyTag>(found, mesh.number_of_face_slots(), [&](std::size_t f, std::vector<Index>& out) {
+    const auto& v = mesh.face_record(Index(f)).vertex;
+    if (v[0] < 0 || mesh.is_on_curve(v[0]) || mesh.is_on_curve(v[1]) || mesh.is_on_curve(v[2]) ||
+        band.holds(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]))) return;
+    for (Index h = Index(4 * f); h < Index(4 * f + 3); ++h)
+      if (mesh.squared_edge_length(h) < SHORT * SHORT * context.squared_shortness_limit(mesh.origin(h), mesh.target(h)))
+        out.push_back(h);
+  });
+  return !found.empty();
+}
 
 // Whether a protected edge is near: faces beside one that is many times as long as they are wide leave what such an edge forces.
 inline bool is_near_protected_edge(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, Visit_marks& marks)
