@@ -99,7 +99,7 @@ public:
     report_.splits += splits;
     if (!context_.collapse_rule.is_never())
       report_.collapses += run(Pass::collapse, [&]() { return collapse_pass<ConcurrencyTag>(context_, edges.too_short); });
-    if (clock_.is_late() && !(context_.grading_rate > 0)) meet_face_count();
+    if (clock_.is_late() && !(context_.grading_rate > 0 && recipe_.clean_up)) meet_face_count();
     return splits;
   }
 
@@ -200,12 +200,12 @@ public:
     return run(Pass::mend, [&]() { return spots.run(curve_tolerance(), report_, LARGEST_SHARE); }) > 0;
   }
 
-  // Iterates around protected edges, beside which subdivision does not cut faces into four.
-  void mend_beside_protected_edges()
+  // Iterates around edges whose ends stay: beside protected ones subdivision does not cut faces into four, and on the rim faces are poor.
+  void mend_beside_fixed_ends()
   {
     std::vector<Index> ends;
     mesh_.for_each_edge([&](Index h) {
-      if (mesh_.is_protected(h)) ends.insert(ends.end(), {mesh_.origin(h), mesh_.target(h)}); });
+      if (mesh_.is_between_fixed_ends(h)) ends.insert(ends.end(), {mesh_.origin(h), mesh_.target(h)}); });
     std::sort(ends.begin(), ends.end());
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     if (ends.empty()) return;

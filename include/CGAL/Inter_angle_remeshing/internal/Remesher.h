@@ -90,7 +90,7 @@ private:
   void find_length_for_face_count()
   {
     constexpr int MOST_TRIALS = 4;
-    constexpr double NEAR = 1.04;        // the clean-up meets the number from here
+    constexpr double CLOSE = 1.04;       // the clean-up meets the number from here
     constexpr double FIRST_POWER = 1.5;  // the number falls with this power of the length, with a power of 2 where nothing is graded
     constexpr double LEAST_POWER = 0.5, LARGEST_POWER = 2, LARGEST_FACTOR = 2.5;
     const Remeshing_mesh input = mesh_;
@@ -98,7 +98,7 @@ private:
     for (int trial = 1;; ++trial) {
       iterate();
       const double faces = double(mesh_.number_of_live_faces()), ratio = faces / double(schedule_.wanted_faces), length = context_.target_length;
-      if (!goes_on() || trial == MOST_TRIALS || (ratio < NEAR && NEAR * ratio > 1)) return;
+      if (!goes_on() || trial == MOST_TRIALS || (ratio < CLOSE && CLOSE * ratio > 1)) return;
       if (trial > 1 && length != last_length && faces != last_faces)
         power = (std::max)(LEAST_POWER, (std::min)(LARGEST_POWER, -std::log(faces / last_faces) / std::log(length / last_length)));
       last_length = length;
@@ -171,7 +171,7 @@ private:
       if (cuts_through_itself()) return;
       go_to_finer_level();
     }
-    if (goes_on()) passes_.mend_beside_protected_edges();
+    if (goes_on()) passes_.mend_beside_fixed_ends();
     if (goes_on() && recipe_.clean_up) clean_up_.run();
   }
 

@@ -34,10 +34,10 @@ inline std::vector<std::array<std::size_t, 3>> divide_triangle(const std::vector
     const auto [c, points] = parts.back();
     parts.pop_back();
     int side = -1;
-    double longest = -1;
+    double longest = 0;
     for (int k = 0; k < 3; ++k) {
       const double length = squared_distance(loop[c[k]], loop[c[(k + 1) % 3]]);
-      if (points[k] == 0 || !(length > longest)) continue;
+      if (points[k] == 0 || (side >= 0 && !(length > longest))) continue;
       longest = length;
       side = k;
     }
