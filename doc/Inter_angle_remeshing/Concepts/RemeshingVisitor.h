@@ -105,7 +105,8 @@ public:
   template <class Halfedge>
   void read_corner(std::size_t i, const std::array<Halfedge, 3>& corners, const std::array<double, 3>& coordinates);
 
-  /// called for face number `i` of the result, whose centroid lies on face `f` of the input, in the same patch.
+  /// called for face number `i` of the result, whose centroid lies on face `f` of the input, in the same patch. Numbers after those of the
+  /// range are new faces outside of it, see `Recipe::split_rim`: parts of face `f`. Their corners have values of their own, too.
   template <class Face>
   void read_face(std::size_t i, Face f);
 

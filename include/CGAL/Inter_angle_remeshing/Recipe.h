@@ -90,7 +90,8 @@ struct Recipe
   /// length: two corners, a ring of three edges, or a round hole whose chords must be that short, one of a radius of less than 0.6 of it;
   /// but not where the target length is less than half of the input's mean edge. Protected edges do not count. So it is, too, on models
   /// that are not CAD around limbs so thin that their last rings of three edges, which nothing can collapse, are shorter than half of the
-  /// target length: 1.35 of these is the target there. It costs faces; 0 turns it off, as does a sizing field.
+  /// target length: 1.35 of these is the target there. A sizing field yields only where the edges of curves are shorter than 0.6 of what it
+  /// says, and not at limbs. It costs faces; 0 turns it off.
   double grading = 0.2;
   /// the width of fillets, in target lengths, up to which the edges along their middle are features where features are found by
   /// themselves, see `detect_features()`: the edges of a result would cut a narrower fillet off, and leave a serrated rim. 0: none

@@ -41,7 +41,7 @@ every second iteration, and each of the last two, the vertices are pulled back o
 The mesh is changed in one step at the end. An exception before that, from a refused argument, from a functor of the
 user's, or for want of memory, leaves it as it was. Vertices that survive keep their descriptors, and those that were
 not moved their points to the last bit. Faces outside of the range are left alone, and the edges between them and the
-range are neither split nor collapsed. Isolated vertices stay, garbage of a `Surface_mesh` is not collected.
+range are neither split nor collapsed, unless `Recipe::split_rim` is on. Isolated vertices stay, garbage of a `Surface_mesh` is not collected.
 The result depends neither on the concurrency tag nor on the number of threads.
 
 Source: X. Zheng and Z. Lv, <em>Isotropic Remeshing with Inter-Angle Optimization</em>, ICIG 2025, arXiv 2507.13641;
