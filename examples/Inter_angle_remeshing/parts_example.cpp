@@ -9,6 +9,7 @@
 #include <CGAL/Inter_angle_remeshing/triangle_quality.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -39,10 +40,15 @@ int main(int argc, char* argv[])
   for(const auto e : edges(mesh))
     length += PMP::edge_length(e, mesh) / (2. * double(num_edges(mesh)));      // half of the mean
 
+  // The quarters of the bounding box.
   constexpr int number_of_parts = 4;
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
   auto part = mesh.add_property_map<Face, int>("f:part", 0).first;
   for(const Face f : faces(mesh))
-    part[f] = int(f) * number_of_parts / int(num_faces(mesh));
+  {
+    const Kernel::Point_3 p = mesh.point(mesh.target(mesh.halfedge(f)));
+    part[f] = (2 * p.x() > box.xmin() + box.xmax() ? 1 : 0) + (2 * p.y() > box.ymin() + box.ymax() ? 2 : 0);
+  }
 
   IAR::Recipe recipe;
   recipe.split_rim = true;
