@@ -84,7 +84,7 @@ struct Remeshing_report
   std::size_t feature_edges = 0;
   /// the number of faces in the range before
   std::size_t input_faces = 0;
-  /// the number of faces in the range afterwards
+  /// the number of faces in the range afterwards; those outside that `Recipe::split_rim` has divided do not count
   std::size_t output_faces = 0;
   /// the number of edges split; those of the repair count in `repairs`, those that lower distances in none
   std::size_t splits = 0;

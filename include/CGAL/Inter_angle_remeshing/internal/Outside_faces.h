@@ -52,6 +52,7 @@ public:
     std::vector<Index> across;                     // by place: the half-edge of the mesh whose other side begins there; -1: a whole side
     std::vector<double> parts;                     // by place: which part of its side lies before it
     std::vector<Piece> pieces;
+    std::size_t elements_before, corners_before;   // those of the faces before it: new faces, and as many edges; places
 
     // Barycentric, of a place in the loop.
     std::array<double, 3> coordinates(std::size_t place) const
@@ -85,27 +86,30 @@ public:
       for (int k = 0; k < 3; ++k)
         if (faces_[i].sides[k] == side) chains_of[i][k] = &chain;
     }
-    for (std::size_t i = 0; i < faces_.size(); ++i) divide(faces_[i], chains_of[i], vpm, mesh);
+    number_of_new_faces_ = 0;
+    std::size_t corners = 0;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      Divided_face& f = faces_[i];
+      divide(f, chains_of[i], vpm, mesh);
+      f.elements_before = number_of_new_faces_;
+      f.corners_before = corners;
+      number_of_new_faces_ += f.pieces.size() - 1;
+      corners += f.across.size();
+    }
   }
 
   const std::vector<Divided_face>& divided() const { return faces_; }
 
   // As many edges are new: each of them divides a face into two.
-  std::size_t number_of_new_faces() const
-  {
-    std::size_t n = 0;
-    for (const Divided_face& f : faces_) n += f.pieces.size() - 1;
-    return n;
-  }
+  std::size_t number_of_new_faces() const { return number_of_new_faces_; }
 
   // Allocates the new faces and edges; take_back() removes them.
   void make_elements(TriangleMesh& tmesh)
   {
-    const std::size_t n = number_of_new_faces();
-    new_faces_.reserve(n);
-    new_edges_.reserve(n);
-    while (new_faces_.size() < n) new_faces_.push_back(add_face(tmesh));
-    while (new_edges_.size() < n) new_edges_.push_back(halfedge(add_edge(tmesh), tmesh));
+    new_faces_.reserve(number_of_new_faces_);
+    new_edges_.reserve(number_of_new_faces_);
+    while (new_faces_.size() < number_of_new_faces_) new_faces_.push_back(add_face(tmesh));
+    while (new_edges_.size() < number_of_new_faces_) new_edges_.push_back(halfedge(add_edge(tmesh), tmesh));
   }
   void take_back(TriangleMesh& tmesh)
   {
@@ -117,9 +121,8 @@ public:
   template <class VertexOf, class HalfedgeOf>
   void connect(TriangleMesh& tmesh, const Remeshing_mesh& mesh, const VertexOf& vertex_of, const HalfedgeOf& halfedge_of)
   {
-    std::size_t made = 0;
     for (const Divided_face& f : faces_) {
-      const std::size_t n = f.across.size(), first_edge = made;
+      const std::size_t n = f.across.size();
       const auto vertex = [&](std::size_t place) {
         for (int k = 0; k < 3; ++k)
           if (f.places[k] == place) return f.corners[k];
@@ -127,14 +130,14 @@ public:
       };
       const auto side = [&](std::size_t s) {
         if (s >= n) {
-          const halfedge_descriptor h = new_edges_[first_edge + (s - n) / 2];
+          const halfedge_descriptor h = new_edges_[f.elements_before + (s - n) / 2];
           return (s - n) % 2 == 0 ? h : opposite(h, tmesh);
         }
         if (f.across[s] >= 0) return opposite(halfedge_of(f.across[s]), tmesh);
         return f.sides[f.side_of(s)];
       };
       for (std::size_t i = 0; i < f.pieces.size(); ++i) {
-        const face_descriptor piece = i == 0 ? f.face : new_faces_[made++];
+        const face_descriptor piece = face_of(f, i);
         for (int k = 0; k < 3; ++k) {
           const halfedge_descriptor h = side(f.pieces[i].sides[k]);
           set_target(h, vertex(f.pieces[i].corners[(k + 1) % 3]), tmesh);
@@ -150,31 +153,28 @@ public:
   template <class Function>
   void for_each_new_face(const Function& function) const
   {
-    std::size_t made = 0;
     for (const Divided_face& f : faces_)
-      for (std::size_t i = 1; i < f.pieces.size(); ++i) function(f.face, new_faces_[made++]);
+      for (std::size_t i = 1; i < f.pieces.size(); ++i) function(f.face, face_of(f, i));
   }
 
-  // After connect(): calls `function(l, place, h)` for the half-edges h of the pieces, l being the sum of the lengths of the loops before
-  // its own, and place that of the corner that it points to.
+  // After connect(): calls `function(i, h)` for the half-edges h of the pieces, which point to place number i of all faces' loops.
   template <class Function>
-  void for_each_corner(const Function& function, const TriangleMesh& tmesh) const
+  void for_each_corner(const TriangleMesh& tmesh, const Function& function) const
   {
-    std::size_t loop = 0, made = 0;
-    for (const Divided_face& f : faces_) {
+    for (const Divided_face& f : faces_)
       for (std::size_t i = 0; i < f.pieces.size(); ++i) {
-        halfedge_descriptor h = halfedge(i == 0 ? f.face : new_faces_[made++], tmesh);
-        // connect() makes the first side that of the face
-        for (int k = 0; k < 3; ++k, h = next(h, tmesh)) function(loop, f.pieces[i].corners[(k + 1) % 3], h);
+        halfedge_descriptor h = halfedge(face_of(f, i), tmesh);        // the first side
+        for (int k = 0; k < 3; ++k, h = next(h, tmesh)) function(f.corners_before + f.pieces[i].corners[(k + 1) % 3], h);
       }
-      loop += f.across.size();
-    }
   }
 
   // A half-edge of each new edge.
   const std::vector<halfedge_descriptor>& new_edges() const { return new_edges_; }
 
 private:
+  // The user's face that piece i is.
+  face_descriptor face_of(const Divided_face& f, std::size_t i) const { return i == 0 ? f.face : new_faces_[f.elements_before + i - 1]; }
+
   static Divided_face divided_face(face_descriptor f, const TriangleMesh& tmesh)
   {
     Divided_face result;
@@ -229,6 +229,7 @@ private:
   }
 
   std::vector<Divided_face> faces_;
+  std::size_t number_of_new_faces_ = 0;
   std::vector<face_descriptor> new_faces_;
   std::vector<halfedge_descriptor> new_edges_;
 };

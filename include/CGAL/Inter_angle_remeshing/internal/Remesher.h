@@ -90,9 +90,10 @@ private:
   void find_length_for_face_count()
   {
     constexpr int MOST_TRIALS = 4;
-    constexpr double CLOSE = 1.04;       // the clean-up meets the number from here
-    constexpr double FIRST_POWER = 1.5;  // the number falls with this power of the length, with a power of 2 where nothing is graded
-    constexpr double LEAST_POWER = 0.5, LARGEST_POWER = 2, LARGEST_FACTOR = 2.5;
+    constexpr double CLOSE = 1.04;       // from here the clean-up meets the number
+    // The number falls with some power of the length: with 2 where nothing is graded, with less the more curves have a say. After two trials
+    // it is known, but may be nearly 0 where curves say all: no step is longer than that factor.
+    constexpr double FIRST_POWER = 1.5, LEAST_POWER = 0.5, LARGEST_POWER = 2, LARGEST_FACTOR = 2.5;
     const Remeshing_mesh input = mesh_;
     double power = FIRST_POWER, last_length = 0, last_faces = 0;
     for (int trial = 1;; ++trial) {

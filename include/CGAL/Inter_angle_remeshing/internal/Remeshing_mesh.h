@@ -124,6 +124,12 @@ public:
   // Whether v is on a curve and may move along it.
   bool is_sliding(Index v) const { return is_on_curve(v) && (state_[v].marks & (LOCKED | PINNED)) == 0; }
 
+  bool touches_curve(Index f) const
+  {
+    const auto& v = faces_[f].vertex;
+    return is_on_curve(v[0]) || is_on_curve(v[1]) || is_on_curve(v[2]);
+  }
+
   // How far the valence is from the regular one: 4 on the border, 6 elsewhere unless another one has been set.
   int deviation(Index v) const { return int(state_[v].valence) - int(state_[v].regular_valence); }
   void set_regular_valence(Index v, int n) { state_[v].regular_valence = static_cast<std::uint8_t>(n); }

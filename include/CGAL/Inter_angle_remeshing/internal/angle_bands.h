@@ -87,10 +87,8 @@ inline void report_band(const Remeshing_mesh& mesh, const Angle_bands& bands, Re
     if (mesh.is_face(f))
       if (const double v = angle_violation(mesh, bands, f, true); v > 0) out.emplace_back(-v, f);
   const auto reason = [&](Index f) {
-    const auto& v = mesh.face_record(f).vertex;
     if (angle_violation(mesh, bands, f) <= 0) return Remeshing_report::Reason::input_corner;
-    return mesh.is_on_curve(v[0]) || mesh.is_on_curve(v[1]) || mesh.is_on_curve(v[2])
-             ? Remeshing_report::Reason::border_or_feature : Remeshing_report::Reason::no_operation;
+    return mesh.touches_curve(f) ? Remeshing_report::Reason::border_or_feature : Remeshing_report::Reason::no_operation;
   };
   for (const auto& o : out)
     if (reason(o.second) != Remeshing_report::Reason::input_corner) { report.band_holds = false; break; }

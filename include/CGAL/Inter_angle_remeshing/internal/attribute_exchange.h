@@ -143,8 +143,7 @@ private:
       exchange_.outside_faces().for_each_new_face([&](auto, auto new_face) { visitor_.write_face(face++, new_face); });
     }
     if constexpr (READS_CORNERS)
-      exchange_.outside_faces().for_each_corner([&, first = corners_read_](std::size_t loop, std::size_t place, auto h) {
-        visitor_.write_corner(first + loop + place, h); }, tmesh_);
+      exchange_.outside_faces().for_each_corner(tmesh_, [&](std::size_t i, auto h) { visitor_.write_corner(corners_read_ + i, h); });
   }
 
   // The half-edges that point to the corners of a face of the input, in the order of coordinates.

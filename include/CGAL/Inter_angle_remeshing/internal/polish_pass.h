@@ -114,8 +114,7 @@ private:
     for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f) {
       if (!mesh_.is_face(f)) continue;
       const auto& v = mesh_.face_record(f).vertex;
-      if (!(mesh_.is_on_curve(v[0]) || mesh_.is_on_curve(v[1]) || mesh_.is_on_curve(v[2])) ||
-          worst_angle(v[0], v[1], v[2]) > POOR_ANGLE) continue;
+      if (!mesh_.touches_curve(f) || worst_angle(v[0], v[1], v[2]) > POOR_ANGLE) continue;
       for (Index h = 4 * f; h < 4 * f + 3; ++h)
         if (!mesh_.is_on_curve_edge(h) && improves_worst_angle(h) && is_flip_allowed(context_, h, false)) {
           for (const Index u : {mesh_.origin(h), mesh_.target(h), mesh_.apex(h), mesh_.apex(mesh_.opposite(h))}) queue(u);

@@ -204,7 +204,8 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   if (keeps_vertices) target = mean_length;
   Input_curves curves(mesh);
   const bool has_small_details = !keeps_vertices &&
-    (kind.is_cad || (!parameters.constraint_settings.protect && has_details_smaller_than(target, curves, mean_length)));
+                                 (kind.is_cad || (!parameters.constraint_settings.protect &&
+                                                  has_details_smaller_than(target, curves, mean_length)));
 
   Attribute_exchange attributes(parameters.visitor, exchange, tmesh, mesh);
   bool is_to_be_written = true;

@@ -111,7 +111,7 @@ public:
     const double doubled_area = length(mesh.cross_product(f)),
                  at_corners = (std::min)({corner[0].length, corner[1].length, corner[2].length}),
                  inside = least_inside(corner, cuts_for(FEWEST_PIECES, doubled_area), cuts_for(MOST_PIECES, doubled_area));
-    return {at_corners / reference_length_, (std::min)(at_corners, inside) / reference_length_};
+    return {at_corners / reference_length_, inside / reference_length_};
   }
 
   // At vertex v of the mesh; the locator may be missing where places are not needed.
@@ -152,15 +152,13 @@ private:
     return function_ ? length_by_function(middle) : 0.5 * (a.length + b.length);
   }
 
-  // Twice the integral of the length to the power of -2: cut into four `cuts` times, and on to `most_cuts` where lengths are uneven.
-  double integral(const Corners& corner, double doubled_area, int cuts, int most_cuts) const
+  // Calls `function(piece, cuts)` for the pieces of a face, each with the number of times that it was cut into four: at least `fewest_cuts`
+  // times, and on to `most_cuts` where lengths are uneven.
+  template <class Function>
+  void for_each_piece(const Corners& corner, int fewest_cuts, int most_cuts, const Function& function, int cuts = 0) const
   {
     const auto [least, most] = std::minmax({corner[0].length, corner[1].length, corner[2].length});
-    double sum = 0;
-    if (cuts <= 0 && (most_cuts <= 0 || most <= EVEN * least)) {      // the rule of the midpoints
-      for (int k = 0; k < 3; ++k) sum += doubled_area / (3 * CGAL::square(0.5 * (corner[k].length + corner[(k + 1) % 3].length)));
-      return sum;
-    }
+    if (cuts >= fewest_cuts && (cuts >= most_cuts || most <= EVEN * least)) { function(corner, cuts); return; }
     Corners middle;
     for (int k = 0; k < 3; ++k) {
       const Corner &a = corner[k], &b = corner[(k + 1) % 3];
@@ -168,23 +166,27 @@ private:
       middle[k] = {p, length_between(a, b, p)};
     }
     for (int k = 0; k < 3; ++k)
-      sum += integral({corner[k], middle[k], middle[(k + 2) % 3]}, doubled_area / 4, cuts - 1, most_cuts - 1);
-    return sum + integral(middle, doubled_area / 4, cuts - 1, most_cuts - 1);
+      for_each_piece({corner[k], middle[k], middle[(k + 2) % 3]}, fewest_cuts, most_cuts, function, cuts + 1);
+    for_each_piece(middle, fewest_cuts, most_cuts, function, cuts + 1);
+  }
+
+  // Twice the integral of the length to the power of -2, by the rule of the midpoints.
+  double integral(const Corners& corner, double doubled_area, int fewest_cuts, int most_cuts) const
+  {
+    double sum = 0;
+    for_each_piece(corner, fewest_cuts, most_cuts, [&](const Corners& piece, int cuts) {
+      for (int k = 0; k < 3; ++k)
+        sum += std::ldexp(doubled_area, -2 * cuts) / (3 * CGAL::square(0.5 * (piece[k].length + piece[(k + 1) % 3].length)));
+    });
+    return sum;
   }
 
   // The least length at the points that `integral()` asks about.
-  double least_inside(const Corners& corner, int cuts, int most_cuts) const
+  double least_inside(const Corners& corner, int fewest_cuts, int most_cuts) const
   {
-    const auto [least, most] = std::minmax({corner[0].length, corner[1].length, corner[2].length});
-    if (cuts <= 0 && (most_cuts <= 0 || most <= EVEN * least)) return least;
-    Corners middle;
-    for (int k = 0; k < 3; ++k) {
-      const Vector3 p = 0.5 * (corner[k].point + corner[(k + 1) % 3].point);
-      middle[k] = {p, length_by_function(p)};
-    }
-    double result = least_inside(middle, cuts - 1, most_cuts - 1);
-    for (int k = 0; k < 3; ++k)
-      result = (std::min)(result, least_inside({corner[k], middle[k], middle[(k + 2) % 3]}, cuts - 1, most_cuts - 1));
+    double result = std::numeric_limits<double>::infinity();
+    for_each_piece(corner, fewest_cuts, most_cuts, [&](const Corners& piece, int) {
+      result = (std::min)({result, piece[0].length, piece[1].length, piece[2].length}); });
     return result;
   }
 

@@ -31,7 +31,7 @@ inline bool is_poor_face(const Remeshing_context& context, Remeshing_mesh::Index
 {
   const Remeshing_mesh& mesh = context.mesh;
   const auto& v = mesh.face_record(f).vertex;
-  if (v[0] < 0 || mesh.is_on_curve(v[0]) || mesh.is_on_curve(v[1]) || mesh.is_on_curve(v[2])) return false;
+  if (v[0] < 0 || mesh.touches_curve(f)) return false;
   return !band.holds(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2])) || fold_violation(context, f) > 0;
 }
 
@@ -193,8 +193,7 @@ bool has_heaps(const Remeshing_context& context)
   std::vector<Index> found;
   scan_into<ConcurrencyTag>(found, mesh.number_of_face_slots(), [&](std::size_t f, std::vector<Index>& out) {
     const auto& v = mesh.face_record(Index(f)).vertex;
-    if (v[0] < 0 || mesh.is_on_curve(v[0]) || mesh.is_on_curve(v[1]) || mesh.is_on_curve(v[2]) ||
-        band.holds(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]))) return;
+    if (v[0] < 0 || mesh.touches_curve(Index(f)) || band.holds(mesh.position(v[0]), mesh.position(v[1]), mesh.position(v[2]))) return;
     for (Index h = Index(4 * f); h < Index(4 * f + 3); ++h)
       if (mesh.squared_edge_length(h) < SHORT * SHORT * context.squared_shortness_limit(mesh.origin(h), mesh.target(h)))
         out.push_back(h);
