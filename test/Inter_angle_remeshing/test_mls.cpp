@@ -716,6 +716,40 @@ void fillets_leave_flats_flat()
     }
 }
 
+// Facets of such fillets are a half to a tenth as wide as the flats beside them, which bent by a fourteenth of the radius. They are flat, as
+// each turns less from the next facet than that does from the one behind it.
+void fillets_of_a_few_wide_facets_leave_flats_flat()
+{
+  for(const std::size_t n : {3, 4, 6})
+    for(const double r : {.3, .4})
+    {
+      const std::array<double, 3> half = {1 - r, .8 - r, .6 - r};
+      const auto depth = [&](const Point& p) {
+        double outside = 0, inside = -r;
+        for(int k = 0; k < 3; ++k)
+        {
+          const double d = std::abs(p[k]) - half[k];
+          inside = (std::max)(inside, d);
+          outside += CGAL::square((std::max)(d, 0.));
+        }
+        return (outside > 0 ? std::sqrt(outside) : inside) - r;
+      };
+      const Mesh input = to_mesh<Mesh>(meshes::rounded_box(half, r, n));
+      const std::string name = std::to_string(n) + ", " + std::to_string(r) + ": ";
+      const Mls mls(input);
+      for(const double part : {-.9, 0., .5})
+        for(const Point& p : {Point(part * half[0], .3 * half[1], .6), Point(.2 * half[0], -.8, part * half[2]),
+                              Point(1, part * half[1], .7 * half[2])})
+          CHECK_MESSAGE(distance(mls.project(p), p) < 1e-9, name << p << ": " << mls.project(p));
+      Mesh m = input;
+      IAR::isotropic_remeshing(.08, m);
+      double largest = 0;
+      for(const auto v : m.vertices())
+        largest = (std::max)(largest, std::abs(depth(m.point(v))));
+      CHECK_MESSAGE(largest < (n == 3 ? .085 : .055) * r, name << largest / r);
+    }
+}
+
 // A dam between two plains: flats and slopes that meet at this angle along lines of edges.
 Soup dam(double degrees)
 {
@@ -997,6 +1031,7 @@ int main()
 #endif
   a_coarse_mesh_becomes_a_fine_surface();
   fillets_leave_flats_flat();
+  fillets_of_a_few_wide_facets_leave_flats_flat();
   planes_that_meet_stay_planes();
   disks_within_marked_rims_stay_flat();
   long_facets_stay_straight();

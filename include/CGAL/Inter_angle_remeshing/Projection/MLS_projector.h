@@ -34,7 +34,8 @@ polygons of which each has a vertex that belongs to no other polygon, inside of 
 designed stay planes. Faces that touch a fold, an edge of more than 60
 degrees, stay flat, and so do the edges of faces over which the surface would make such an angle with them, as narrow ones that lead from
 large facets to much smaller ones. So, nearly, do edges that are several times as long as the faces beside them are wide, as along a cylinder,
-and faces that are much larger than others around their corners, as beside a fillet: there the large ones tell the normals.
+and faces that are much larger than others around their corners, as beside a fillet: there the large ones tell the normals. So do plane polygons
+of two faces or more beside which the surface curves three times as much one facet further on, as the flats between fillets of few facets.
 
 No point P of the surface is further from its face than 0.15 times the mean edge length of the face; a projection lies
 within another 0.3 of these of P, so that a result is never further than 0.45 mean edge lengths from the mesh.

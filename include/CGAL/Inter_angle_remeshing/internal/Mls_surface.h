@@ -155,6 +155,11 @@ private:
   void find_tangents();
   void fit_sectors();
   void fit_fan(Index first, std::vector<Vector3>& offsets);
+  double turn_over(Index h) const;
+  double width_at(Index h) const;
+  bool is_tangent_rim(Index h) const;
+  void find_flats();
+  Vector3 normal_of_flats(const std::vector<Index>& sector) const;
   Vector3 normal_of_uneven_sector(const std::vector<Index>& sector) const;
   void fit_sector(const std::vector<Index>& sector, std::vector<Vector3>& offsets);
   void find_rises();
@@ -171,6 +176,7 @@ private:
   std::vector<char> is_corner_;              // by vertex: of a curved face
   std::vector<char> is_on_fold_;             // by vertex
   Planar_polygons polygons_;
+  std::vector<char> is_flat_polygon_;
   std::vector<Vector3> normals_;             // unit, by sector
   std::vector<Vector3> tangents_;            // unit, by vertex on a feature; zero at corners
 };
@@ -183,6 +189,7 @@ inline Mls_surface::Mls_surface(const Reference_surface& surface, const std::vec
   find_features(creases);
   if (!curved_.empty()) polygons_ = Planar_polygons(surface, [this](Index h) { return is_feature(h); });
   find_creases_between_planes();
+  find_flats();
   find_tangents();
   fit_sectors();
   find_rises();
@@ -296,6 +303,86 @@ inline void Mls_surface::fit_fan(Index first, std::vector<Vector3>& offsets)
   fit_sector(sector, offsets);
 }
 
+// The angle from the polygon of h to the one behind it, in radians; negative where they meet in a groove.
+inline double Mls_surface::turn_over(Index h) const
+{
+  const Vector3 &n = polygons_.cross_product(polygons_[h >> 2]), &m = polygons_.cross_product(polygons_[surface_->opposite(h) >> 2]),
+                axis = cross(n, m);
+  const double angle = std::atan2(length(axis), dot(n, m));
+  return dot(axis, surface_->position(surface_->target(h)) - surface_->position(surface_->origin(h))) < 0 ? -angle : angle;
+}
+
+// How far the polygon of h reaches from h, about, where that is no further than along h.
+inline double Mls_surface::width_at(Index h) const
+{
+  const double area = length(polygons_.cross_product(polygons_[h >> 2])) / 2;
+  return (std::min)(std::sqrt(area), area / length(surface_->position(surface_->target(h)) - surface_->position(surface_->origin(h))));
+}
+
+// Whether behind h begins what curves, tangent to the polygon of h: over h the surface curves less, by the angles over the widths,
+// than over an edge behind the next polygon, to the same side; and that one is narrower. Inscribed facets turn from a flat by half
+// of what they turn from each other.
+inline bool Mls_surface::is_tangent_rim(Index h) const
+{
+  constexpr double TANGENT = 0.35, NARROWER = 2.5;
+  const Index o = surface_->opposite(h), next = polygons_[o >> 2];
+  if (next < 0) return false;
+  const double width = std::sqrt(length(polygons_.cross_product(polygons_[h >> 2])) / 2), next_width = width_at(o);
+  if (!(width > NARROWER * next_width)) return false;
+  const double curvature = turn_over(h) / (width + next_width);
+  const auto curves_more_beyond = [&](Index e) {
+    const Index beyond = surface_->opposite(e);
+    if (beyond < 0 || is_feature(e) || polygons_[beyond >> 2] < 0 || polygons_[beyond >> 2] == polygons_[h >> 2]) return false;
+    const double other = turn_over(e) / (width_at(e) + width_at(beyond));
+    return curvature * other > 0 && std::abs(curvature) < TANGENT * std::abs(other);
+  };
+  // The next polygon is a triangle or a quadrangle in most cases; of larger ones these faces are enough.
+  for (const Index e : {Reference_surface::next(o), surface_->prev(o)}) {
+    const Index beyond = surface_->opposite(e);
+    if (beyond < 0 || polygons_[beyond >> 2] != next) {
+      if (curves_more_beyond(e)) return true;
+    } else if (curves_more_beyond(Reference_surface::next(beyond)) || curves_more_beyond(surface_->prev(beyond))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// A polygon in one plane is a flat if what curves joins it tangentially on all its sides, but for a tenth of their length and for features.
+inline void Mls_surface::find_flats()
+{
+  constexpr double LEAST_SHARE = 0.9;
+  struct Rim { double length = 0, tangent = 0; };
+  if (curved_.empty()) return;
+  std::vector<Rim> rims(polygons_.size());
+  for (Index h = 0; h < 4 * Index(faces_.size()); ++h) {
+    if ((h & 3) == 3 || polygons_[h >> 2] < 0 || !polygons_.is_exact(polygons_[h >> 2]) || is_feature(h)) continue;
+    const Index o = surface_->opposite(h);
+    if (o < 0 || polygons_[o >> 2] == polygons_[h >> 2]) continue;
+    const double l = length(surface_->position(surface_->target(h)) - surface_->position(surface_->origin(h)));
+    Rim& rim = rims[polygons_[h >> 2]];
+    rim.length += l;
+    if (is_tangent_rim(h)) rim.tangent += l;
+  }
+  is_flat_polygon_.assign(rims.size(), 0);
+  for (std::size_t i = 0; i < rims.size(); ++i)
+    is_flat_polygon_[i] = rims[i].tangent > 0 && rims[i].tangent >= LEAST_SHARE * rims[i].length;
+}
+
+// The normal, not of unit length, of the flats of a sector, the larger ones counting more; zero where there is none.
+inline Vector3 Mls_surface::normal_of_flats(const std::vector<Index>& sector) const
+{
+  Vector3 sum;
+  for (auto h = sector.begin(); h != sector.end(); ++h) {
+    const Index polygon = polygons_[*h >> 2];
+    if (polygon < 0 || !is_flat_polygon_[polygon] ||
+        std::any_of(sector.begin(), h, [&](Index before) { return polygons_[before >> 2] == polygon; })) continue;
+    const Vector3& c = polygons_.cross_product(polygon);
+    sum += length(c) * c;
+  }
+  return sum;
+}
+
 // The larger a facet is, the less it turns from the surface, where all are as near to it: a fillet is tangent to the flats that it
 // joins, however small its facets are, and however the flats are triangulated. So where the facets of a sector, planar polygons and
 // other faces, are uneven, the large ones say what the normal is, which is not of unit length; else it is zero.
@@ -351,10 +438,11 @@ inline void Mls_surface::fit_sector(const std::vector<Index>& sector, std::vecto
   scale /= double(first_neighbors);
   const double l = length(sum);
   if (!(l > 0) || !(scale > 0)) return;
-  const Vector3 uneven = normal_of_uneven_sector(sector);
-  const double u = length(uneven);
+  Vector3 normal = normal_of_flats(sector);
+  if (!(length(normal) > 0)) normal = normal_of_uneven_sector(sector);
+  const double n = length(normal);
   for (const Index h : sector) faces_[h >> 2].sector[h & 3] = Index(normals_.size());
-  normals_.push_back(u > 0 ? (1 / u) * uneven : fit_normal(offsets, (1 / l) * sum, scale));
+  normals_.push_back(n > 0 ? (1 / n) * normal : fit_normal(offsets, (1 / l) * sum, scale));
 }
 
 // Whether one of the faces at h touches a fold.

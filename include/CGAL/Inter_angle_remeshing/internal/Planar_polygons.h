@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Reference_surface.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -45,11 +46,12 @@ public:
           faces.push_back(o >> 2);
         }
       }
-      polygons_.push_back({sum, faces.size() >= MANY_FACES, false});
+      polygons_.push_back({sum, faces.size() >= MANY_FACES, false, faces.size() > 1 && are_coplanar(surface, faces, sum)});
     }
     find_wide_ones(surface);
   }
 
+  std::size_t size() const { return polygons_.size(); }
   // That of face f; negative: none, as the face is degenerate.
   Index operator[](Index f) const { return polygon_[f]; }
   // Twice the area times the unit normal of a polygon.
@@ -58,6 +60,8 @@ public:
   bool has_many_faces(Index polygon) const { return polygons_[polygon].has_many_faces; }
   // Whether there is a vertex that belongs to no other polygon, inside of this one or on the border. Inside of what curves no facet has one.
   bool is_wide(Index polygon) const { return polygons_[polygon].is_wide; }
+  // Whether two faces or more lie in the very same plane, but for rounding. On what was scanned hardly any do.
+  bool is_exact(Index polygon) const { return polygons_[polygon].is_exact; }
 
 private:
   static constexpr double PLANAR_COSINE = 1 - 1e-6;
@@ -66,8 +70,18 @@ private:
   struct Polygon
   {
     Vector3 cross_product;
-    bool has_many_faces, is_wide;
+    bool has_many_faces, is_wide, is_exact;
   };
+
+  static bool are_coplanar(const Reference_surface& surface, const std::vector<Index>& faces, const Vector3& normal)
+  {
+    constexpr double LARGEST_SINE = 1e-4;
+    const double bound = LARGEST_SINE * LARGEST_SINE * squared_length(normal);
+    return std::all_of(faces.begin(), faces.end(), [&](Index f) {
+      const Vector3& c = surface.cross_product(f);
+      return squared_length(cross(c, normal)) <= bound * squared_length(c);
+    });
+  }
 
   void find_wide_ones(const Reference_surface& surface)
   {
