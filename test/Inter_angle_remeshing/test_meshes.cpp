@@ -630,6 +630,31 @@ void small_crossings_of_the_input_are_parted()
   CHECK_MESSAGE(5 * crossing < 2 * crossing_without || meshes::is_small_run(), crossing << " of " << crossing_without);
 }
 
+meshes::Soup scaled(meshes::Soup soup, double x, double y, double z)
+{
+  for(auto& p : soup.points)
+    p = {x * p[0], y * p[1], z * p[2]};
+  return soup;
+}
+
+// Two boxes of twelve triangles that lie against each other, or run through each other, and beside them what has much shorter edges: these
+// triangles are of the surface's crossings all over, and no angle is given up for what cannot be parted.
+void parts_that_touch_keep_their_angles()
+{
+  const meshes::Soup box = scaled(meshes::cube(1), 2, 2, 1), ball = scaled(meshes::sphere(3), .5, .5, .5).moved(7, 1, .5);
+  for(const meshes::Soup& other : {scaled(meshes::cube(1), 2, 1, 1.5).moved(0, 2, 0), scaled(meshes::cube(1), .9, 1.3, 1.5).moved(.7, 1.2, .3)})
+    for(const double length : {.15, .2, .3, .4})
+    {
+      const Mesh input = meshes::to_mesh<Mesh>(box.joined_with(other).joined_with(ball));
+      Mesh m = input;
+      const auto report = IAR::isotropic_remeshing(length, m);
+      CHECK_MESSAGE(report.angles_after.minimum > 31 && report.angles_after.maximum < 103,
+                    length << ": " << report.angles_after.minimum << ", " << report.angles_after.maximum);
+      CHECK_MESSAGE(report.crossing_faces == number_of_crossing_faces(m), length << ": " << report.crossing_faces);
+      CHECK_MESSAGE(std::abs(PMP::volume(m) / PMP::volume(input) - 1) < .01, length << ": " << PMP::volume(m) / PMP::volume(input));
+    }
+}
+
 // Hundreds of boxes, side by side: each side lies on another one, and at a coarse target each face has thousands near it. Nothing can
 // be done about that; each stays a closed box with its corners, and the search for something to do ends.
 void boxes_that_touch_each_other_stay_boxes()
@@ -1790,6 +1815,8 @@ int main(int argc, char* argv[])
   limbs_thinner_than_the_target_have_good_angles();
   discs_with_short_border_edges_have_good_angles();
   small_crossings_of_the_input_are_parted();
+  parts_that_touch_keep_their_angles();
+  parts_that_touch_keep_their_angles();
   boxes_that_touch_each_other_stay_boxes();
   regular_grids_are_stirred_up();
   grids_are_broken_up();

@@ -42,6 +42,8 @@ class Faults
   // One face that is far out of its band is worse than many that are not; but no angle is worth a crossing, beside which the square of a
   // violation counts no more than this.
   static constexpr double CUBED = 0.2, LARGEST_SQUARE = 900;
+  // Nearly flat faces, which cross nothing, count so much more there.
+  static constexpr double FLAT_VIOLATION = 75, FLAT = 1e5;
   // What two faces that cross each other count, and what the length of the segment in which they do, in target lengths; less where
   // the surface crosses itself: angles are not given up for what cannot be parted.
   static constexpr double CROSSING = 1000, CROSSING_LENGTH = 6000, INHERITED_CROSSING = 100;
@@ -92,18 +94,23 @@ public:
   }
 
   // Faces that cross others; their number is `crossing`, for those where the surface crosses itself are only mended where that is easy,
-  // after the others.
+  // after the others, and not at all where they lie on each other.
   template <class ConcurrencyTag>
   Bad_faces find_crossings(std::size_t& crossing)
   {
     finds_crossings_ = true;
     const std::vector<std::pair<Index, Index>> pairs = crossing_pairs<ConcurrencyTag>();
-    Bad_faces result{faces_of_mesh(pairs)};
-    crossing = result.faces.size();
+    Bad_faces result;
+    crossing = faces_of_mesh(pairs).size();
     if (pairs.empty()) return result;
     if (crossing > HOPELESS_CROSSINGS && 2 * crossing > mesh_.number_of_live_faces()) return {};
     if (!crossings_of_surface_) crossings_of_surface_ = Surface_crossings::find<ConcurrencyTag>(context_);
-    for (const auto& [f, g] : pairs) result.score += score_of_crossing(f, g);
+    forget_crossings_of_surface();
+    std::vector<std::pair<Index, Index>> mended;
+    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(mended),
+                 [&](const auto& pair) { return !lie_on_each_other(pair.first, pair.second); });
+    result.faces = faces_of_mesh(mended);
+    for (const auto& [f, g] : mended) result.score += score_of_crossing(f, g);
     const auto inherited = std::stable_partition(result.faces.begin(), result.faces.end(), [&](Index f) { return !is_inherited(f); });
     if (crossings_of_surface_->are_small(context_.target_length)) sort_by_crossing_lengths(inherited, result.faces.end(), pairs);
     else result.faces.erase(inherited, result.faces.end());
@@ -146,6 +153,7 @@ public:
     score_before_.resize((std::max)(score_before_.size(), mesh_.number_of_face_slots()));
     crossings_before_.clear();
     if (!finds_crossings_) return;
+    forget_crossings_of_surface();
     const auto& corner = mesh_.face_record(f).vertex;
     const std::vector<Index> within_reach = faces_around(mesh_, ball(mesh_, {corner[0], corner[1], corner[2]}, REACH, marks_), marks_);
     near_ = faces_near(mesh_, *grid_, within_reach, marks_, looks_);
@@ -227,10 +235,36 @@ private:
   double score_of_violation(double v) const
   {
     if (!(v > 0)) return 0;
-    return TOUCH + v + (finds_crossings_ ? (std::min)(v * v, LARGEST_SQUARE) : v * v + CUBED * v * v * v);
+    if (finds_crossings_) return TOUCH + v + (std::min)(v * v, LARGEST_SQUARE) + (v > FLAT_VIOLATION ? FLAT : 0.);
+    return TOUCH + v + v * v + CUBED * v * v * v;
   }
 
-  bool is_inherited(Index f) const { return f >= 0 && crossings_of_surface_->are_near(context_, f); }
+  bool is_inherited(Index f) const
+  {
+    if (f < 0) return false;
+    const auto& v = mesh_.face_record(f).vertex;
+    return std::any_of(v, v + 3, [&](Index u) { return is_near_crossing_of_surface(u); });
+  }
+  // It does not change while one face is at hand.
+  bool is_near_crossing_of_surface(Index v) const
+  {
+    if (std::size_t(v) >= is_near_crossing_.size()) return crossings_of_surface_->are_near_vertex(context_, v);
+    if (is_looked_up_.visit(std::size_t(v))) is_near_crossing_[v] = crossings_of_surface_->are_near_vertex(context_, v);
+    return is_near_crossing_[v] != 0;
+  }
+  void forget_crossings_of_surface()
+  {
+    is_looked_up_.start(mesh_.number_of_vertex_slots());
+    is_near_crossing_.resize(mesh_.number_of_vertex_slots());
+  }
+  // Whether two faces where the surface crosses itself cross each other, or touch, in one plane, as parts that are put together do.
+  bool lie_on_each_other(Index f, Index g) const
+  {
+    constexpr double ONE_PLANE = 0.9998;             // 1.1 degrees
+    if (f < 0 || g < 0) return false;
+    const Vector3 a = mesh_.cross_product(f), b = mesh_.cross_product(g);
+    return is_cosine_at_least(a, dot(a, b) < 0 ? -1. * b : b, ONE_PLANE) && is_inherited(f) && is_inherited(g);
+  }
   double crossing_length_in_targets(Index f, Index g) const
   {
     return crossing_length(around_, f, g) / context_.length_at(mesh_.face_record(f).vertex[0]);
@@ -264,7 +298,7 @@ private:
     std::set_union(near_.begin(), near_.end(), faces.begin(), faces.end(), std::back_inserter(others));
     others.erase(std::remove_if(others.begin(), others.end(), is_dead), others.end());
     others.insert(others.end(), near_outside_.begin(), near_outside_.end());
-    for_each_crossing(around_, faces, others, function);
+    for_each_crossing(around_, faces, others, [&](Index f, Index g) { return lie_on_each_other(f, g); }, function);
   }
 
   const Remeshing_context& context_;
@@ -274,6 +308,8 @@ private:
   Leaving_faces leaving_;
   bool finds_crossings_ = false;
   std::optional<Surface_crossings> crossings_of_surface_;
+  mutable std::vector<char> is_near_crossing_; // by vertex: whether the surface crosses itself there, once that was looked up
+  mutable Visit_marks is_looked_up_;
   std::optional<Face_grid> grid_;              // where faces may cross others
   std::size_t looks_ = 0;                      // at faces that may be near others
   std::vector<Index> near_, near_outside_;     // the faces that may cross those around the face at hand, of the mesh and outside

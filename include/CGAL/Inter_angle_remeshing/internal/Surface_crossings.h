@@ -7,10 +7,12 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Point_grid.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/closest_point_on_triangle.h>
 #include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface_walk.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -28,7 +30,8 @@ inline std::vector<Remeshing_mesh::Index> faces_of(const std::vector<std::pair<R
   return result;
 }
 
-// Where the surface crosses itself: a mesh of it may, too. Corners of its faces that do, in units of the mesh.
+// Where the surface crosses itself: a mesh of it may, too. Corners of its faces that do, and points of large ones near the crossing, in units
+// of the mesh.
 class Surface_crossings
 {
   using Index = Remeshing_mesh::Index;
@@ -50,11 +53,16 @@ public:
     double sum = 0;
     for (Index f = 0; f < Index(surface.number_of_faces()); ++f) sum += mean_edge_length(surface, f);
     Surface_crossings result(context, sum / (double(surface.number_of_faces()) * factor));
-    for (const Index f : faces_of(crossing_faces<ConcurrencyTag>(surface)))
-      for (const Index v : surface.face_record(f).vertex) {
-        const Vector3 p = (1 / factor) * surface.position(v);
-        if (!result.places_.has_near(p, ONE_PLACE * context.target_length)) result.places_.insert(p);
-      }
+    const std::vector<std::pair<Index, Index>> pairs = crossing_faces<ConcurrencyTag>(surface);
+    const auto add = [&](const Vector3& on_surface) {
+      const Vector3 p = (1 / factor) * on_surface;
+      if (!result.places_.has_near(p, ONE_PLACE * context.target_length)) result.places_.insert(p);
+    };
+    for (const Index f : faces_of(pairs))
+      for (const Index v : surface.face_record(f).vertex) add(surface.position(v));
+    for (const auto& [f, g] : pairs)
+      for (const auto& [face, other] : {std::pair(f, g), std::pair(g, f)})
+        for_each_place_between_corners(surface, face, other, factor * result.edge_length_, add);
     return result;
   }
 
@@ -62,8 +70,11 @@ public:
   bool are_near(const Remeshing_context& context, Index f) const
   {
     const auto& v = context.mesh.face_record(f).vertex;
-    return std::any_of(v, v + 3, [&](Index u) {
-      return places_.has_near(context.mesh.position(u), SAME_PLACE * (std::max)(edge_length_, context.length_at(u))); });
+    return std::any_of(v, v + 3, [&](Index u) { return are_near_vertex(context, u); });
+  }
+  bool are_near_vertex(const Remeshing_context& context, Index v) const
+  {
+    return places_.has_near(context.mesh.position(v), SAME_PLACE * (std::max)(edge_length_, context.length_at(v)));
   }
 
   // Beside edges of the target length.
@@ -73,6 +84,26 @@ private:
   Surface_crossings(const Remeshing_context& context, double edge_length)
     : places_(SAME_PLACE * (std::max)(edge_length, context.largest_length())), edge_length_(edge_length)
   {}
+
+  // Calls `add(point)` for points of a face that is large beside `spacing`, about so far from each other, which are as near to the other
+  // face.
+  template <class Add>
+  static void for_each_place_between_corners(const Reference_surface& surface, Index face, Index other, double spacing, const Add& add)
+  {
+    constexpr double LARGE = 2;
+    constexpr int MOST_PARTS = 64;                   // of an edge
+    const auto &v = surface.face_record(face).vertex, &w = surface.face_record(other).vertex;
+    const Vector3 &a = surface.position(v[0]), &b = surface.position(v[1]), &c = surface.position(v[2]);
+    const double longest = std::sqrt((std::max)({squared_distance(a, b), squared_distance(b, c), squared_distance(c, a)}));
+    if (!(longest > LARGE * spacing)) return;
+    const int parts = longest < MOST_PARTS * spacing ? int(std::ceil(longest / spacing)) : MOST_PARTS;
+    for (int i = 0; i <= parts; ++i)
+      for (int j = 0; i + j <= parts; ++j) {
+        const Vector3 p = a + (double(i) / parts) * (b - a) + (double(j) / parts) * (c - a);
+        const Vector3 q = closest_point_on_triangle(p, surface.position(w[0]), surface.position(w[1]), surface.position(w[2])).point;
+        if (squared_distance(p, q) <= spacing * spacing) add(p);
+      }
+  }
 
   Point_grid places_;
   double edge_length_;                   // the mean of the surface: what is bent over its faces crosses that far elsewhere

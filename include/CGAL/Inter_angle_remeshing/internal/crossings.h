@@ -106,14 +106,20 @@ std::array<int, 2> common_corner(const Surface& mesh, Corner_table::Index f, Cor
   return pairs == 1 ? result : std::array<int, 2>{-1, -1};
 }
 
+// Whether nothing that is quickly seen tells that f and g do not cross each other.
+template <class Surface>
+bool may_cross_each_other(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
+{
+  return number_of_shared_vertices(mesh, f, g) <= 1 && !lies_beside(mesh, f, g) && !lies_beside(mesh, g, f) && !lie_apart(mesh, f, g);
+}
+
 // A triangle without an area crosses nothing. Two that have a corner in common cross where the edge of one that is opposite to it
 // meets the other one.
 template <class Surface>
 bool cross_each_other(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  if (number_of_shared_vertices(mesh, f, g) > 1 || lies_beside(mesh, f, g) || lies_beside(mesh, g, f) || lie_apart(mesh, f, g))
-    return false;
+  if (!may_cross_each_other(mesh, f, g)) return false;
   const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
   const auto point = [&](Corner_table::Index v) {
     const Vector3& p = mesh.position(v);
@@ -172,11 +178,11 @@ inline std::vector<Remeshing_mesh::Index> faces_near(const Remeshing_mesh& mesh,
   return result;
 }
 
-// Calls `function(face, other)` for every one of `faces`, which are sorted, that crosses one of `others`, until it returns false. Two
-// that are both among `faces` are one pair.
-template <class Surface, class Function>
+// Calls `function(face, other)` for every one of `faces`, which are sorted, that crosses one of `others`, until it returns false; but for
+// the pairs that `is_left_out(face, other)`. Two that are both among `faces` are one pair.
+template <class Surface, class IsLeftOut, class Function>
 void for_each_crossing(const Surface& mesh, const std::vector<Remeshing_mesh::Index>& faces,
-                       const std::vector<Remeshing_mesh::Index>& others, const Function& function)
+                       const std::vector<Remeshing_mesh::Index>& others, const IsLeftOut& is_left_out, const Function& function)
 {
   using Index = Remeshing_mesh::Index;
   std::vector<Bounding_box> boxes;
@@ -191,8 +197,16 @@ void for_each_crossing(const Surface& mesh, const std::vector<Remeshing_mesh::In
     const auto found = std::lower_bound(faces.begin(), faces.end(), g);
     const std::size_t first = found != faces.end() && *found == g ? std::size_t(found - faces.begin()) + 1 : 0;
     for (std::size_t i = first; i < faces.size(); ++i)
-      if (do_overlap(b, boxes[i]) && cross_each_other(mesh, g, faces[i]) && !function(faces[i], g)) return;
+      if (do_overlap(b, boxes[i]) && may_cross_each_other(mesh, g, faces[i]) && !is_left_out(faces[i], g) &&
+          cross_each_other(mesh, g, faces[i]) && !function(faces[i], g)) return;
   }
+}
+
+template <class Surface, class Function>
+void for_each_crossing(const Surface& mesh, const std::vector<Remeshing_mesh::Index>& faces,
+                       const std::vector<Remeshing_mesh::Index>& others, const Function& function)
+{
+  for_each_crossing(mesh, faces, others, [](Remeshing_mesh::Index, Remeshing_mesh::Index) { return false; }, function);
 }
 
 // Whether one of `faces` crosses another face; adds to `looks` as faces_near() does.
