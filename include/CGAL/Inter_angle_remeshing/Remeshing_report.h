@@ -35,7 +35,8 @@ struct Remeshing_report
     none,             ///< none: found none, or none asked for
     marked,           ///< those marked by `edge_is_constrained_map`, `face_patch_map` or `sharpness_angle`
     all_sharp_edges,  ///< found by themselves, beside the borders of patches: the model is a CAD model, every edge of 40
-                      ///< degrees and more, but for reliefs too fine for the target length, and narrow fillets
+                      ///< degrees and more, but for reliefs too fine for the target length, which `sharpness_angle(40)` keeps,
+                      ///< and narrow fillets
     outstanding_edges ///< found by themselves, beside the borders of patches: long chains of edges that stand out of their
                       ///< surroundings, creases of coarse models, narrow fillets of parts without a sharp edge, the sharp edges of
                       ///< components that are CAD models
