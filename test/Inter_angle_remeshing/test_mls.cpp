@@ -716,7 +716,7 @@ void fillets_leave_flats_flat()
     }
 }
 
-// Facets of such fillets are a half to a tenth as wide as the flats beside them, which bent by a fourteenth of the radius. They are flat, as
+// Facets of such fillets are a half to a tenth as wide as the flats beside them, which bent by up to a quarter of the radius. They are flat, as
 // each turns less from the next facet than that does from the one behind it.
 void fillets_of_a_few_wide_facets_leave_flats_flat()
 {
@@ -724,15 +724,11 @@ void fillets_of_a_few_wide_facets_leave_flats_flat()
     for(const double r : {.3, .4})
     {
       const std::array<double, 3> half = {1 - r, .8 - r, .6 - r};
-      const auto depth = [&](const Point& p) {
-        double outside = 0, inside = -r;
+      const auto height = [&](const Point& p) {
+        double squared = 0;                // from the box between the fillets
         for(int k = 0; k < 3; ++k)
-        {
-          const double d = std::abs(p[k]) - half[k];
-          inside = (std::max)(inside, d);
-          outside += CGAL::square((std::max)(d, 0.));
-        }
-        return (outside > 0 ? std::sqrt(outside) : inside) - r;
+          squared += CGAL::square((std::max)(std::abs(p[k]) - half[k], 0.));
+        return std::sqrt(squared) - r;
       };
       const Mesh input = to_mesh<Mesh>(meshes::rounded_box(half, r, n));
       const std::string name = std::to_string(n) + ", " + std::to_string(r) + ": ";
@@ -745,7 +741,7 @@ void fillets_of_a_few_wide_facets_leave_flats_flat()
       IAR::isotropic_remeshing(.08, m);
       double largest = 0;
       for(const auto v : m.vertices())
-        largest = (std::max)(largest, std::abs(depth(m.point(v))));
+        largest = (std::max)(largest, std::abs(height(m.point(v))));
       CHECK_MESSAGE(largest < (n == 3 ? .085 : .055) * r, name << largest / r);
     }
 }

@@ -42,7 +42,8 @@ class Faults
   // One face that is far out of its band is worse than many that are not; but no angle is worth a crossing, beside which the square of a
   // violation counts no more than this.
   static constexpr double CUBED = 0.2, LARGEST_SQUARE = 900;
-  // Nearly flat faces, which cross nothing, count so much more there.
+  // Nearly flat faces, which cross nothing, count so much more there: those so far out of their band, with the default one those with an
+  // angle of 160 to 175 degrees and more.
   static constexpr double FLAT_VIOLATION = 75, FLAT = 1e5;
   // What two faces that cross each other count, and what the length of the segment in which they do, in target lengths; less where
   // the surface crosses itself: angles are not given up for what cannot be parted.
