@@ -42,7 +42,11 @@ public:
   {
     for (const Index h : edges)
       if (is_between_narrow_faces(h)) add(h);
-    if (!cells_.empty()) add_small_faces();
+    if (!cells_.empty()) {
+      add_small_faces();
+      for (const Index h : edges)
+        if (!is_between_narrow_faces(h)) add_faces_beside(h);
+    }
     for (std::size_t i = 0; i < edges.size(); ++i)
       if (!(densities[i] > enough) && is_between_narrow_faces(edges[i])) densities[i] = (std::max)(densities[i], density(edges[i]));
   }
@@ -87,12 +91,12 @@ private:
     double area = 0;
     double density = UNKNOWN;            // of the cells around it and it, in target lengths
 
+    void add_faces(const Vector3& n, double a) { normal += n; area += a; }
     void add(const Cell& other)
     {
       ridges.add(other.ridges.length, other.ridges.moment);
       grooves.add(other.grooves.length, other.grooves.moment);
-      normal += other.normal;
-      area += other.area;
+      add_faces(other.normal, other.area);
     }
   };
 
@@ -127,15 +131,30 @@ private:
   void add(Index h)
   {
     const bool is_on_ridge = is_ridge(h);
+    for_each_piece_with_faces(h, [&](const Key& k, const Vector3& p, double l, const Vector3& normal, double area) {
+      Cell& cell = cells_[k];
+      (is_on_ridge ? cell.ridges : cell.grooves).add(l, l * p);
+      cell.add_faces(normal, area);
+    });
+  }
+
+  // Of an edge that is none of a relief, as the rim of a plate's other side.
+  void add_faces_beside(Index h)
+  {
+    for_each_piece_with_faces(h, [&](const Key& k, const Vector3&, double, const Vector3& normal, double area) {
+      if (const auto cell = cells_.find(k); cell != cells_.end()) cell->second.add_faces(normal, area);
+    });
+  }
+
+  // Calls `function(k, p, l, normal, area)` for each piece of the edge of h, of length l at p, with the area that lies beside it, and the
+  // normals times that.
+  template <class Function>
+  void for_each_piece_with_faces(Index h, const Function& function) const
+  {
     const double width = width_beside(h), other = width_beside(mesh_.opposite(h));
     const Vector3 normal = width * normal_[h >> 2] + other * normal_[mesh_.opposite(h) >> 2];
     for_each_level(target_length(h), [&](int level) {
-      for_each_piece(h, level, [&](const Vector3& p, double l) {
-        Cell& cell = cells_[key(p, level)];
-        (is_on_ridge ? cell.ridges : cell.grooves).add(l, l * p);
-        cell.normal += l * normal;
-        cell.area += l * (width + other);
-      });
+      for_each_piece(h, level, [&](const Vector3& p, double l) { function(key(p, level), p, l, l * normal, l * (width + other)); });
     });
   }
 
@@ -164,9 +183,7 @@ private:
       const double area = length(triangle_cross(a, b, c)) / 2;
       for_each_level(target_length_[f], [&](int level) {
         const auto cell = cells_.find(key((1. / 3) * (a + b + c), level));
-        if (cell == cells_.end()) return;
-        cell->second.normal += area * normal_[f];
-        cell->second.area += area;
+        if (cell != cells_.end()) cell->second.add_faces(area * normal_[f], area);
       });
     }
   }
