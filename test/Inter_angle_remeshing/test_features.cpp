@@ -1180,7 +1180,7 @@ void slits_are_no_features()
     Mesh m = input;
     IAR::isotropic_remeshing(factor * mean_edge_length(m), m);
     const auto quality = IAR::inter_angle_statistics(m);
-    CHECK_MESSAGE(quality.minimum_angle > 22 && quality.maximum_angle < 108,
+    CHECK_MESSAGE(quality.minimum_angle > 22 && quality.maximum_angle < 112,
                   factor << ": " << quality.minimum_angle << " to " << quality.maximum_angle);
     sum += quality.minimum_angle;
   }
@@ -1768,13 +1768,13 @@ void coarse_results_are_still_cad_models()
   }
 }
 
-// Of faces with an angle under 20 degrees.
-std::size_t number_of_needles(const Mesh& m)
+// Of faces with a smaller angle, in degrees.
+std::size_t number_of_needles(const Mesh& m, double angle = 20)
 {
   return std::count_if(m.faces_begin(), m.faces_end(), [&](const Mesh::Face_index f) {
     const auto h = m.halfedge(f);
     const Point p = m.point(m.source(h)), q = m.point(m.target(h)), r = m.point(m.target(m.next(h)));
-    return std::min({CGAL::approximate_angle(p, q, r), CGAL::approximate_angle(q, r, p), CGAL::approximate_angle(r, p, q)}) < 20;
+    return std::min({CGAL::approximate_angle(p, q, r), CGAL::approximate_angle(q, r, p), CGAL::approximate_angle(r, p, q)}) < angle;
   });
 }
 
@@ -1955,6 +1955,51 @@ void what_resembles_stairs_keeps_its_edges()
   CHECK(IAR::isotropic_remeshing(2 * mean_edge_length(speckled), m).features == Features::outstanding_edges);
 }
 
+// A plate is no relief, though what is engraved on it lies closer together than the target length: only edges on the side of the groove, 4 by 2
+// on a plate of 8 by 4, counted, and all edges were given up; volumes of .3 to 1.6, or less than none, were left.
+void a_plate_with_a_groove_stays_a_plate()
+{
+  constexpr double WIDTH = 4, DEPTH = .02;
+  for(const double inside : {.5, .7})
+    for(const double thickness : {.6, 1.})
+    {
+      const double h = thickness - DEPTH;
+      Mesh input = meshes::to_mesh<Mesh>(meshes::turned({{1, 0}, {1, thickness}, {inside, thickness}, {inside, h},
+                                                         {inside - DEPTH, h}, {inside - DEPTH, thickness}}, 4, false));
+      for(const Vertex v : input.vertices())
+      {
+        const Point p = input.point(v);
+        input.point(v) = Point(WIDTH * (p.x() - p.y()), WIDTH / 2 * (p.x() + p.y()), p.z());
+      }
+      for(const double length : {3.1, 3.3, 4.5})
+      {
+        Mesh m = input;
+        IAR::isotropic_remeshing(length, m);
+        const double volume = PMP::volume(m) / PMP::volume(input);
+        CHECK_MESSAGE(std::abs(volume - 1) < .05, inside << ", " << thickness << ", " << length << ": " << volume);
+        CHECK(topology(m) == topology(input));
+      }
+    }
+}
+
+// The sides of steps and grooves are narrow strips, here .067 to .1 target lengths wide. Along these edges were up to four times as long as
+// they are wide, and what moves vertices gave up any small angle for a large one: 212, 136 and 510 needles.
+void narrow_strips_have_few_needles()
+{
+  constexpr double R = 4, H = .02;
+  const meshes::Profile step{{R, 0}, {R, 1}, {R / 2, 1}, {R / 2, 1 + H}},
+                        groove{{R, 0}, {R, 1}, {R / 2, 1}, {R / 2, 1 - H}, {R / 2 - H, 1 - H}, {R / 2 - H, 1}};
+  for(const auto& [profile, length] : {std::pair{step, .3}, {groove, .2}, {groove, .25}})
+  {
+    const Mesh input = meshes::to_mesh<Mesh>(meshes::turned(profile, 4, false));
+    Mesh m = input;
+    IAR::isotropic_remeshing(length, m);
+    m.collect_garbage();
+    CHECK_MESSAGE(200 * number_of_needles(m, 25) < num_faces(m), length << ": " << number_of_needles(m, 25) << " of " << num_faces(m));
+    CHECK(topology(m) == topology(input) && invariants::surface_distance(input, m).hausdorff() < .01 * length);
+  }
+}
+
 // Alpha wraps have jagged chamfers instead of edges. To keep both rims of each would take many more faces, and needles between them;
 // one of them is enough for a sharp edge.
 void one_rim_of_a_jagged_chamfer_is_a_feature()
@@ -1998,7 +2043,7 @@ void one_rim_of_a_jagged_chamfer_is_a_feature()
 }
 
 // Borders of organic models have such details where they are jagged and their edges not short: few of the faces beside them are out of their
-// bands then. (Measured: 37 instead of 298, 151 of 400, 16 of 61, 1 of 14.)
+// bands then. (Measured: 34 instead of 288, 153 of 304, 23 of 60, 1 of 15.)
 void grading_mends_jagged_borders()
 {
   IAR::Recipe recipe;
@@ -2014,7 +2059,7 @@ void grading_mends_jagged_borders()
     const double length = factor * mean_edge_length(graded);
     const auto with = IAR::isotropic_remeshing(length, graded);
     const auto without = IAR::isotropic_remeshing(faces(uniform), length, uniform, IAR::recipe(recipe));
-    CHECK_MESSAGE(2 * with.number_of_faces_out_of_band < without.number_of_faces_out_of_band,
+    CHECK_MESSAGE(3 * with.number_of_faces_out_of_band < 2 * without.number_of_faces_out_of_band,
                   name << ": " << with.number_of_faces_out_of_band << ", " << without.number_of_faces_out_of_band);
     const double gain = with.angles_after.average - without.angles_after.average;
     CHECK_MESSAGE(gain > .2, name << ": " << gain);
@@ -2325,7 +2370,7 @@ void places_on_curves_are_found()
 void the_energy_of_angles_has_its_gradient()
 {
   namespace internal = IAR::internal;
-  const internal::Angle_band band(44, 85);
+  const internal::Angle_band band(44, 85, .3);
   const internal::Vector3 somewhere{.3, .4, .5};
   CHECK(!band.holds(somewhere, somewhere, somewhere));
   std::mt19937 random(11);
@@ -2791,6 +2836,8 @@ int main()
   without_a_length_features_are_those_of_the_mesh();
   cylinders_of_few_facets_are_cad_models();
   of_two_sides_of_a_narrow_strip_one_is_a_feature();
+  narrow_strips_have_few_needles();
+  a_plate_with_a_groove_stays_a_plate();
   organic_models_have_next_to_none();
   rims_of_cuts_are_features();
   rims_of_drilled_holes_are_features();

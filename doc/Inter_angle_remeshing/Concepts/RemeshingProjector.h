@@ -12,6 +12,10 @@ A model offers at least one of the two operators below; where it offers both, th
 The one that takes a vertex is that of `CGAL::Polygon_mesh_processing::isotropic_remeshing()`, so that functors written
 for that function work here; but a generic lambda is asked for a point, and one of vertices must name their type.
 
+A vertex is projected several times in an iteration. So what a functor returns should hardly move when it is projected again, and
+neighbors should stay neighbors: with noise of a third of the target length that is added anew in each call, edges become long, are
+split, and become long again, and the number of faces grows without end.
+
 A functor that is handed over is copied, several times; hand large ones and those with a state over by `std::ref()`.
 An exception ends the run, passes through, and leaves the user's mesh as it was; so does a
 `CGAL::Postcondition_exception` that is thrown where a functor returns a point that is not finite, or further away than

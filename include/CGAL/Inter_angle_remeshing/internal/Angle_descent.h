@@ -11,6 +11,8 @@
 #include <CGAL/Inter_angle_remeshing/internal/curve_edges.h>
 #include <CGAL/Inter_angle_remeshing/internal/thin_angles.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,12 +37,17 @@ class Angle_descent
   static constexpr double STEP_FACTOR = 1.5;
   static constexpr int TRIALS = 4;
   static constexpr double BACKTRACK = 0.4;
+  // No step makes the least angle smaller than this, in degrees; at curves, where there is no way out of a jam, than that: the energy alone
+  // would give up any small angle for a large one.
+  static constexpr double SMALL_ANGLE = 20, SMALL_ANGLE_AT_CURVES = 28;
   // A slide leaves at most this part of the energy: less is not worth that the neighbors look again.
   static constexpr double ENOUGH = 0.99;
 
 public:
   explicit Angle_descent(Remeshing_context& context)
-    : context_(context), mesh_(context.mesh), bands_(context.recipe, LOWER_MARGIN, UPPER_MARGIN)
+    : context_(context), mesh_(context.mesh), bands_(context.recipe, LOWER_MARGIN, UPPER_MARGIN),
+      largest_cosine_(cosine((std::min)(SMALL_ANGLE, bands_.inside.lower()))),
+      largest_cosine_at_curves_(cosine((std::min)(SMALL_ANGLE_AT_CURVES, bands_.at_curves.lower())))
   {}
 
   const Angle_bands& bands() const { return bands_; }
@@ -85,26 +92,32 @@ public:
   }
 
 private:
+  static double cosine(double degrees) { return std::cos(degrees * (CGAL_PI / 180)); }
+
   void read_star(Index v)
   {
-    star_.read(mesh_, v, [&](Index u, Index w) -> const Angle_band& { return bands_.of(mesh_, v, u, w); });
+    is_at_curve_ = false;
+    star_.read(mesh_, v, [&](Index u, Index w) -> const Angle_band& {
+      const Angle_band& band = bands_.of(mesh_, v, u, w);
+      is_at_curve_ = is_at_curve_ || &band == &bands_.at_curves;
+      return band;
+    });
   }
 
-  // Whether the star, with v at q instead of p, has less energy than `enough`, and neither folds nor grows thin.
+  // Whether the star, with v at q instead of p, has less energy than `enough`, no fold, and no angle that is too small.
   bool is_better(double enough, const Vector3& p, const Vector3& q)
   {
-    return star_.value(q) < enough && star_.keeps_orientation(p, q) && !grows_thin(p);
+    return star_.value(q) < enough && star_.keeps_orientation(p, q) && !makes_small_angle(p);
   }
 
-  // Whether v has made an angle thin on its way from p to where the value was asked for last.
-  bool grows_thin(const Vector3& p)
+  // Whether v has made the least angle small on its way from p to where the value was asked for last.
+  bool makes_small_angle(const Vector3& p)
   {
-    const double after = squared_sine(star_.largest_cosine());
-    if (after >= THIN_SQUARED_SINE) return false;
+    const double after = star_.largest_cosine();
+    if (after <= (is_at_curve_ ? largest_cosine_at_curves_ : largest_cosine_)) return false;
     star_.value(p);
-    return makes_thin_angle(squared_sine(star_.largest_cosine()), after);
+    return is_thinner(1 - after * after, 1 - star_.largest_cosine() * star_.largest_cosine());
   }
-  static double squared_sine(double cosine) { return 1 - cosine * cosine; }
 
   bool move(Index v)
   {
@@ -202,7 +215,9 @@ private:
   Remeshing_context& context_;
   Remeshing_mesh& mesh_;
   Angle_bands bands_;                    // narrower than those asked for
+  double largest_cosine_, largest_cosine_at_curves_;      // of angles that are not small
   Star_energy star_;                     // of the vertex that is looked at
+  bool is_at_curve_ = false;             // whether a face of the star touches a curve
 };
 
 } // namespace internal

@@ -24,6 +24,9 @@ namespace internal {
 // Where a vertex is on a curve, the narrow band is out of reach as often as not, and to strive for it costs the other angles
 // there half a degree on the average.
 constexpr double LOWER_ANGLE_AT_CURVES = 33, UPPER_ANGLE_AT_CURVES = 103;
+// How much the energy of large angles counts there. By cosines, 140 degrees are five times as far out of that band as 20 are; and where
+// strips are thin, some angles have to be small or large.
+constexpr double WEIGHT_OF_LARGE_AT_CURVES = 0.2;
 // What moves vertices heads for bands that are narrower by this: it comes near their ends, not quite to them.
 constexpr double LOWER_MARGIN = 2, UPPER_MARGIN = 3;
 
@@ -35,7 +38,7 @@ struct Angle_bands
   Angle_bands(const Recipe& recipe, double lower_margin = 0, double upper_margin = 0)
     : inside(narrowed(recipe.lower_angle, recipe.upper_angle, lower_margin, upper_margin)),
       at_curves(narrowed((std::min)(recipe.lower_angle, LOWER_ANGLE_AT_CURVES),
-                         (std::max)(recipe.upper_angle, UPPER_ANGLE_AT_CURVES), lower_margin, upper_margin))
+                         (std::max)(recipe.upper_angle, UPPER_ANGLE_AT_CURVES), lower_margin, upper_margin, WEIGHT_OF_LARGE_AT_CURVES))
   {}
 
   // That of the face with these corners.
@@ -45,9 +48,9 @@ struct Angle_bands
   }
 
 private:
-  static Angle_band narrowed(double lower, double upper, double lower_margin, double upper_margin)
+  static Angle_band narrowed(double lower, double upper, double lower_margin, double upper_margin, double weight_of_large = 1)
   {
-    return Angle_band((std::min)(60., lower + lower_margin), (std::max)(60., upper - upper_margin));
+    return Angle_band((std::min)(60., lower + lower_margin), (std::max)(60., upper - upper_margin), weight_of_large);
   }
 };
 

@@ -16,7 +16,7 @@
 #include <limits>
 #include <vector>
 
-// How far the angles around a vertex are out of a band: E = Σ (c - cos lo)₊² + (cos hi - c)₊² over the corner cosines c of
+// How far the angles around a vertex are out of a band: E = Σ (c - cos lo)₊² + w (cos hi - c)₊² over the corner cosines c of
 // the vertex's star, with its gradient.
 
 namespace CGAL {
@@ -26,9 +26,9 @@ namespace internal {
 class Angle_band
 {
 public:
-  // The bounds in degrees; 60 degrees lie between them.
-  Angle_band(double lower, double upper)
-    : lower_(lower), upper_(upper),
+  // The bounds in degrees; 60 degrees lie between them. `weight_of_large` is w.
+  Angle_band(double lower, double upper, double weight_of_large = 1)
+    : lower_(lower), upper_(upper), weight_of_large_(weight_of_large),
       lower_cosine_(std::cos(lower * (CGAL_PI / 180))), upper_cosine_(std::cos(upper * (CGAL_PI / 180)))
   {}
 
@@ -43,7 +43,13 @@ public:
   double energy(double corner_cosine) const
   {
     const double e = excess(corner_cosine);
-    return e * e;
+    return (e < 0 ? weight_of_large_ : 1) * e * e;
+  }
+  // The derivative of the energy.
+  double slope(double corner_cosine) const
+  {
+    const double e = excess(corner_cosine);
+    return 2 * (e < 0 ? weight_of_large_ : 1) * e;
   }
 
   // Whether the angles of the triangle abc lie within the band; by the law of cosines and without a root. One whose corners are
@@ -60,7 +66,7 @@ public:
   }
 
 private:
-  double lower_, upper_, lower_cosine_, upper_cosine_;
+  double lower_, upper_, weight_of_large_, lower_cosine_, upper_cosine_;
 };
 
 // The star of a vertex that moves while its link stays.
@@ -121,7 +127,7 @@ public:
     std::fill(slope_.begin(), slope_.end(), Vector3());
     for_each_face([&](std::size_t k, const std::array<double, 3>& c) {
       const Angle_band& band = link_[k].band;
-      const double at_v = 2 * band.excess(c[0]), at_u = 2 * band.excess(c[1]), at_w = 2 * band.excess(c[2]);
+      const double at_v = band.slope(c[0]), at_u = band.slope(c[1]), at_w = band.slope(c[2]);
       slope_[k] += at_v * spoke_[k + 1] - at_u * link_[k].direction;
       slope_[k + 1] += at_v * spoke_[k] + at_w * link_[k].direction;
     });

@@ -25,9 +25,9 @@ constexpr double CURVE_TOLERANCE = 0.05;
 // unless the edge is shorter than this many target lengths: then the curve is too jagged to follow.
 constexpr double SHORTEST_BENT_EDGE = 0.6;
 // Where a face has all its vertices on curves, in a strip or a thin wall, its edge on one of these should be no longer
-// than this many times its height, nor need it be shorter than this part of the target length. Strips that are thinner than
-// this part of it are beyond help.
-constexpr double STRIP_ASPECT = 1.6, SHORTEST_IN_STRIP = 0.2, THINNEST_STRIP = 0.05;
+// than this many times its height, or than that many where it would be shorter than this part of the target length. Strips that
+// are thinner than the last part of it are beyond help.
+constexpr double STRIP_ASPECT = 1.6, LARGEST_STRIP_ASPECT = 2.2, SHORT_IN_STRIP = 0.2, THINNEST_STRIP = 0.05;
 
 // Two curves that meet at less than 30 degrees: the cosine.
 constexpr double ACUTE_CORNER_COSINE = 0.866025403784439;
@@ -67,7 +67,7 @@ inline double target_on_curve(const Remeshing_context& context, Remeshing_mesh::
     if (side < 0) continue;
     const double width = width_of_strip(mesh, side);
     if (width < THINNEST_STRIP * wanted) continue;
-    target = (std::min)(target, (std::max)(STRIP_ASPECT * width, SHORTEST_IN_STRIP * wanted));
+    target = (std::min)(target, std::clamp(SHORT_IN_STRIP * wanted, STRIP_ASPECT * width, LARGEST_STRIP_ASPECT * width));
   }
   return target;
 }
