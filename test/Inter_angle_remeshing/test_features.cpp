@@ -1768,7 +1768,7 @@ void coarse_results_are_still_cad_models()
   }
 }
 
-// Of faces with a smaller angle, in degrees.
+// The number of faces with an angle under that, in degrees.
 std::size_t number_of_needles(const Mesh& m, double angle = 20)
 {
   return std::count_if(m.faces_begin(), m.faces_end(), [&](const Mesh::Face_index f) {
@@ -1955,34 +1955,35 @@ void what_resembles_stairs_keeps_its_edges()
   CHECK(IAR::isotropic_remeshing(2 * mean_edge_length(speckled), m).features == Features::outstanding_edges);
 }
 
-// A plate is no relief, though what is engraved on it lies closer together than the target length: only edges on the side of the groove, 4 by 2
-// on a plate of 8 by 4, counted, and all edges were given up; volumes of .3 to 1.6, or less than none, were left.
+// A plate is no relief, though what is engraved on it lies closer together than the target length: only edges on the side of the groove, half
+// or .7 of the plate of 8 by 4, counted, and all edges were given up; volumes of -.7 to 1.6 of the true one were left. Wherever the plate lies.
 void a_plate_with_a_groove_stays_a_plate()
 {
   constexpr double WIDTH = 4, DEPTH = .02;
   for(const double inside : {.5, .7})
     for(const double thickness : {.6, 1.})
-    {
-      const double h = thickness - DEPTH;
-      Mesh input = meshes::to_mesh<Mesh>(meshes::turned({{1, 0}, {1, thickness}, {inside, thickness}, {inside, h},
-                                                         {inside - DEPTH, h}, {inside - DEPTH, thickness}}, 4, false));
-      for(const Vertex v : input.vertices())
+      for(const double bottom : {0., -thickness / 2, .3})
       {
-        const Point p = input.point(v);
-        input.point(v) = Point(WIDTH * (p.x() - p.y()), WIDTH / 2 * (p.x() + p.y()), p.z());
+        const double top = bottom + thickness, h = top - DEPTH;
+        Mesh input = meshes::to_mesh<Mesh>(meshes::turned({{1, bottom}, {1, top}, {inside, top}, {inside, h}, {inside - DEPTH, h},
+                                                           {inside - DEPTH, top}}, 4, false));
+        for(const Vertex v : input.vertices())
+        {
+          const Point p = input.point(v);
+          input.point(v) = Point(WIDTH * (p.x() - p.y()), WIDTH / 2 * (p.x() + p.y()), p.z());
+        }
+        for(const double length : {3.1, 3.3, 4.5})
+        {
+          Mesh m = input;
+          IAR::isotropic_remeshing(length, m);
+          const double volume = PMP::volume(m) / PMP::volume(input);
+          CHECK_MESSAGE(std::abs(volume - 1) < .05, inside << ", " << thickness << ", " << bottom << ", " << length << ": " << volume);
+          CHECK(topology(m) == topology(input));
+        }
       }
-      for(const double length : {3.1, 3.3, 4.5})
-      {
-        Mesh m = input;
-        IAR::isotropic_remeshing(length, m);
-        const double volume = PMP::volume(m) / PMP::volume(input);
-        CHECK_MESSAGE(std::abs(volume - 1) < .05, inside << ", " << thickness << ", " << length << ": " << volume);
-        CHECK(topology(m) == topology(input));
-      }
-    }
 }
 
-// The sides of steps and grooves are narrow strips, here .067 to .1 target lengths wide. Along these edges were up to four times as long as
+// The sides of steps and grooves are narrow strips, here .057 to .1 target lengths wide. Edges along them were up to four times as long as
 // they are wide, and what moves vertices gave up any small angle for a large one: 212, 136 and 510 needles.
 void narrow_strips_have_few_needles()
 {
@@ -1994,8 +1995,8 @@ void narrow_strips_have_few_needles()
     const Mesh input = meshes::to_mesh<Mesh>(meshes::turned(profile, 4, false));
     Mesh m = input;
     IAR::isotropic_remeshing(length, m);
-    m.collect_garbage();
-    CHECK_MESSAGE(200 * number_of_needles(m, 25) < num_faces(m), length << ": " << number_of_needles(m, 25) << " of " << num_faces(m));
+    const std::size_t needles = number_of_needles(m, 25);
+    CHECK_MESSAGE(200 * needles < m.number_of_faces(), length << ": " << needles << " of " << m.number_of_faces());
     CHECK(topology(m) == topology(input) && invariants::surface_distance(input, m).hausdorff() < .01 * length);
   }
 }
@@ -2042,7 +2043,7 @@ void one_rim_of_a_jagged_chamfer_is_a_feature()
   CHECK_MESSAGE(PMP::volume(m) > .9 * PMP::volume(blade), PMP::volume(m) << " of " << PMP::volume(blade));
 }
 
-// Borders of organic models have such details where they are jagged and their edges not short: few of the faces beside them are out of their
+// Borders of organic models have such details where they are jagged and their edges not short: fewer of the faces beside them are out of their
 // bands then. (Measured: 34 instead of 288, 153 of 304, 23 of 60, 1 of 15.)
 void grading_mends_jagged_borders()
 {
@@ -2067,7 +2068,7 @@ void grading_mends_jagged_borders()
     out_with += with.number_of_faces_out_of_band;
     out_without += without.number_of_faces_out_of_band;
   }
-  CHECK_MESSAGE(3 * out_with < out_without, out_with << ", " << out_without);
+  CHECK_MESSAGE(5 * out_with < 2 * out_without, out_with << ", " << out_without);
   const double gain = std::accumulate(gains.begin(), gains.end(), 0.);
   CHECK_MESSAGE(gain > double(gains.size()), gain);
   // Not where the edges that are short are protected: they say nothing about details.

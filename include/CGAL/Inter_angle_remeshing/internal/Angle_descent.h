@@ -37,8 +37,8 @@ class Angle_descent
   static constexpr double STEP_FACTOR = 1.5;
   static constexpr int TRIALS = 4;
   static constexpr double BACKTRACK = 0.4;
-  // No step makes the least angle smaller than this, in degrees; at curves, where there is no way out of a jam, than that: the energy alone
-  // would give up any small angle for a large one.
+  // No step makes the least angle of a star smaller where it is, or becomes, less than this, in degrees: the energy alone would give up any
+  // small angle for a large one. The second value is for stars at curves, whose vertices do not get out of the way, if the band allows it.
   static constexpr double SMALL_ANGLE = 20, SMALL_ANGLE_AT_CURVES = 28;
   // A slide leaves at most this part of the energy: less is not worth that the neighbors look again.
   static constexpr double ENOUGH = 0.99;
@@ -46,8 +46,8 @@ class Angle_descent
 public:
   explicit Angle_descent(Remeshing_context& context)
     : context_(context), mesh_(context.mesh), bands_(context.recipe, LOWER_MARGIN, UPPER_MARGIN),
-      largest_cosine_(cosine((std::min)(SMALL_ANGLE, bands_.inside.lower()))),
-      largest_cosine_at_curves_(cosine((std::min)(SMALL_ANGLE_AT_CURVES, bands_.at_curves.lower())))
+      small_cosine_(cosine(SMALL_ANGLE)),
+      small_cosine_at_curves_(cosine((std::max)(SMALL_ANGLE, (std::min)(SMALL_ANGLE_AT_CURVES, bands_.at_curves.lower()))))
   {}
 
   const Angle_bands& bands() const { return bands_; }
@@ -110,11 +110,11 @@ private:
     return star_.value(q) < enough && star_.keeps_orientation(p, q) && !makes_small_angle(p);
   }
 
-  // Whether v has made the least angle small on its way from p to where the value was asked for last.
+  // Whether the least angle, with v where the value was asked for last, is small, and smaller than with v at p. Asks for the value there.
   bool makes_small_angle(const Vector3& p)
   {
     const double after = star_.largest_cosine();
-    if (after <= (is_at_curve_ ? largest_cosine_at_curves_ : largest_cosine_)) return false;
+    if (after <= (is_at_curve_ ? small_cosine_at_curves_ : small_cosine_)) return false;
     star_.value(p);
     return is_thinner(1 - after * after, 1 - star_.largest_cosine() * star_.largest_cosine());
   }
@@ -215,7 +215,7 @@ private:
   Remeshing_context& context_;
   Remeshing_mesh& mesh_;
   Angle_bands bands_;                    // narrower than those asked for
-  double largest_cosine_, largest_cosine_at_curves_;      // of angles that are not small
+  double small_cosine_, small_cosine_at_curves_;          // of the largest angles that are small
   Star_energy star_;                     // of the vertex that is looked at
   bool is_at_curve_ = false;             // whether a face of the star touches a curve
 };

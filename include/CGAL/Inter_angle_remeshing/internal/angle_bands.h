@@ -24,8 +24,8 @@ namespace internal {
 // Where a vertex is on a curve, the narrow band is out of reach as often as not, and to strive for it costs the other angles
 // there half a degree on the average.
 constexpr double LOWER_ANGLE_AT_CURVES = 33, UPPER_ANGLE_AT_CURVES = 103;
-// How much the energy of large angles counts there. By cosines, 140 degrees are five times as far out of that band as 20 are; and where
-// strips are thin, some angles have to be small or large.
+// The weight of large angles in the energy there. By cosines 140 degrees are five times as far out of that band as 20 are, and would count
+// 25 times as much; but where strips are thin, some angles have to be small or large, and small ones are worse.
 constexpr double WEIGHT_OF_LARGE_AT_CURVES = 0.2;
 // What moves vertices heads for bands that are narrower by this: it comes near their ends, not quite to them.
 constexpr double LOWER_MARGIN = 2, UPPER_MARGIN = 3;

@@ -43,13 +43,13 @@ public:
   double energy(double corner_cosine) const
   {
     const double e = excess(corner_cosine);
-    return (e < 0 ? weight_of_large_ : 1) * e * e;
+    return weight(e) * e * e;
   }
   // The derivative of the energy.
   double slope(double corner_cosine) const
   {
     const double e = excess(corner_cosine);
-    return 2 * (e < 0 ? weight_of_large_ : 1) * e;
+    return 2 * weight(e) * e;
   }
 
   // Whether the angles of the triangle abc lie within the band; by the law of cosines and without a root. One whose corners are
@@ -66,6 +66,8 @@ public:
   }
 
 private:
+  double weight(double excess) const { return excess < 0 ? weight_of_large_ : 1; }
+
   double lower_, upper_, weight_of_large_, lower_cosine_, upper_cosine_;
 };
 

@@ -24,9 +24,9 @@ namespace internal {
 constexpr double CURVE_TOLERANCE = 0.05;
 // unless the edge is shorter than this many target lengths: then the curve is too jagged to follow.
 constexpr double SHORTEST_BENT_EDGE = 0.6;
-// Where a face has all its vertices on curves, in a strip or a thin wall, its edge on one of these should be no longer
-// than this many times its height, or than that many where it would be shorter than this part of the target length. Strips that
-// are thinner than the last part of it are beyond help.
+// Where a face has all its vertices on curves, in a strip or a thin wall, its edge on one of these should be no longer than STRIP_ASPECT times
+// its height. Where that is less than SHORT_IN_STRIP target lengths, the edge may be so long, but no longer than LARGEST_STRIP_ASPECT times
+// the height. Strips thinner than THINNEST_STRIP target lengths are beyond help.
 constexpr double STRIP_ASPECT = 1.6, LARGEST_STRIP_ASPECT = 2.2, SHORT_IN_STRIP = 0.2, THINNEST_STRIP = 0.05;
 
 // Two curves that meet at less than 30 degrees: the cosine.

@@ -43,9 +43,9 @@ public:
     for (const Index h : edges)
       if (is_between_narrow_faces(h)) add(h);
     if (!cells_.empty()) {
-      add_small_faces();
       for (const Index h : edges)
-        if (!is_between_narrow_faces(h)) add_faces_beside(h);
+        if (is_narrow(h) != is_narrow(mesh_.opposite(h))) add_faces_beside(h);
+      add_small_faces();
     }
     for (std::size_t i = 0; i < edges.size(); ++i)
       if (!(densities[i] > enough) && is_between_narrow_faces(edges[i])) densities[i] = (std::max)(densities[i], density(edges[i]));
@@ -138,12 +138,11 @@ private:
     });
   }
 
-  // Of an edge that is none of a relief, as the rim of a plate's other side.
+  // Of an edge that is none of a relief, as the rim of a plate's other side; also to cells without pieces, for those around look at them.
   void add_faces_beside(Index h)
   {
     for_each_piece_with_faces(h, [&](const Key& k, const Vector3&, double, const Vector3& normal, double area) {
-      if (const auto cell = cells_.find(k); cell != cells_.end()) cell->second.add_faces(normal, area);
-    });
+      cells_[k].add_faces(normal, area); });
   }
 
   // Calls `function(k, p, l, normal, area)` for each piece of the edge of h, of length l at p, with the area that lies beside it, and the

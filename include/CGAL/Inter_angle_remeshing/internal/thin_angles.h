@@ -10,7 +10,8 @@
 #include <algorithm>
 
 // Beside a curve, whose vertices do not get out of the way, a thin face stays. There no operation may make an angle under
-// 20 degrees that is smaller than the smallest one before. (Elsewhere a thin face is often the way out of a jam.)
+// 20 degrees that is smaller than the smallest one before. (Elsewhere a thin face is often the way out of a jam.
+// What moves vertices into the band is stricter, see Angle_descent.h.)
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
