@@ -2001,6 +2001,63 @@ void narrow_strips_have_few_needles()
   }
 }
 
+// A prism between z = 0 and `height`, with edges all around at as many steps; its ends are fans around the axis.
+meshes::Soup bar(std::size_t sides, std::size_t rings, double height)
+{
+  meshes::Profile profile;
+  for(std::size_t i = 0; i <= rings; ++i)
+    profile.push_back({1, height * double(i) / double(rings)});
+  meshes::Soup soup = meshes::turned(profile, sides, false);
+  soup.faces.resize(2 * sides * rings);
+  const std::size_t bottom = soup.points.size(), top = bottom + 1;
+  soup.points.push_back({0, 0, 0});
+  soup.points.push_back({0, 0, height});
+  for(std::size_t i = 0; i < sides; ++i)
+  {
+    const std::size_t k = (i + 1) % sides;
+    soup.faces.push_back({bottom, k, i});
+    soup.faces.push_back({top, rings * sides + i, rings * sides + k});
+  }
+  return soup;
+}
+
+// The facets of a bar are as long as the bar. They were taken for bevels beside the mean edge, and every other edge was lost; volumes of
+// .43 to .86. With rings of edges, of hexagons, it was taken for the stairs of voxels many times as long as they are wide: .66 to .94.
+void slender_bars_keep_their_edges()
+{
+  struct Bar { std::size_t sides, rings; double height, length; };
+  for(const Bar& b : {Bar{8, 1, 100, 2.2}, {8, 1, 100, 5}, {7, 1, 100, 10}, {8, 1, 50, 3}, {6, 12, 300, 5}, {6, 8, 300, 3}, {6, 40, 1000, 8}})
+  {
+    const Mesh input = meshes::to_mesh<Mesh>(bar(b.sides, b.rings, b.height));
+    CHECK(found_features(input).size() == b.sides * (b.rings + 2));
+    Mesh m = input;
+    IAR::isotropic_remeshing(b.length, m);
+    const double volume = PMP::volume(m) / PMP::volume(input);
+    CHECK_MESSAGE(std::abs(volume - 1) < 1e-3, b.sides << ", " << b.rings << ", " << b.length << ": " << volume);
+    CHECK(topology(m) == topology(input) && !does_self_intersect(m));
+  }
+}
+
+// Whether the edges of a part are long is a question of that part, however many there are beside it. Of 400 tetrahedra none had a feature,
+// and volumes fell to .76.
+void parts_keep_their_edges_in_any_company()
+{
+  constexpr int MANY = 20;
+  meshes::Soup scene;
+  for(int i = 0; i < MANY * MANY; ++i)
+    scene = scene.joined_with(meshes::tetrahedron().moved(4 * (i % MANY), 4 * (i / MANY), 0));
+  const Mesh input = meshes::to_mesh<Mesh>(scene);
+  for(const double factor : {.5, .7})
+  {
+    Mesh m = input;
+    const auto report = IAR::isotropic_remeshing(factor * mean_edge_length(input), m);
+    CHECK_MESSAGE(report.features == Features::all_sharp_edges && report.feature_edges == 6 * MANY * MANY, report.feature_edges);
+    CHECK(std::abs(PMP::volume(m) / PMP::volume(input) - 1) < 1e-9 && topology(m) == topology(input));
+    if(meshes::is_small_run())
+      break;
+  }
+}
+
 // Alpha wraps have jagged chamfers instead of edges. To keep both rims of each would take many more faces, and needles between them;
 // one of them is enough for a sharp edge.
 void one_rim_of_a_jagged_chamfer_is_a_feature()
@@ -2839,6 +2896,8 @@ int main()
   of_two_sides_of_a_narrow_strip_one_is_a_feature();
   narrow_strips_have_few_needles();
   a_plate_with_a_groove_stays_a_plate();
+  slender_bars_keep_their_edges();
+  parts_keep_their_edges_in_any_company();
   organic_models_have_next_to_none();
   rims_of_cuts_are_features();
   rims_of_drilled_holes_are_features();

@@ -41,22 +41,22 @@ rule in full follows.
 The dihedral angles tell what kind of model it is. Let `s` be the length of all edges with a dihedral angle of 40 degrees and more,
 `m` that of the edges with 12 to 40 degrees, and `p` that of those among them where both faces go on in their planes, within half a
 degree, over another edge: the facets of a cylinder or another surface of revolution. Let `t` be the part of `s` that belongs to
-long components: of eight mean edges, of a quarter of the root of the area, or rings of nine edges. If m < s / 2, or m < 1.1 s and
-more than half of all edges have less than 8 degrees, or m - p < s / 5, and the same with t in place of s, it is a CAD model; and so
-it is if m < 3.5 t and the edges of 40 degrees and more form a network, as they do when a part has been remeshed coarsely: 70% of
-their length does not lead to a free end, and of its vertices, of which twelve at least are the ends of two of them, at most 40% are
-the ends of more, and at most a fifth of the others bend by more than 45 degrees, or these and those make up at most a third of all. But
-unless m - p < s / 5, it is none if at a tenth of the
+long components: of eight mean edges, of a quarter of the root of the area of what hangs together with them, or rings of nine edges. If
+m < s / 2, or m < 1.1 s and more than half of all edges have less than 8 degrees, or m - p < s / 5, and the same with t in place of s, it is
+a CAD model; and so it is if m < 3.5 t and the edges of 40 degrees and more form a network, as they do when a part has been remeshed
+coarsely: 70% of their length does not lead to a free end, and of its vertices, of which twelve at least are the ends of two of them, at
+most 40% are the ends of more, and at most a fifth of the others bend by more than 45 degrees, or these and those make up at most a third
+of all. But unless m - p < s / 5, it is none if at a tenth of the
 vertices of these edges, fifty at least, two or more convex ones meet two or more concave ones: noise makes such saddles everywhere.
 What has grown and is as flat as a leaf is none, either: of the vertices of edges of 40 degrees and more, a hundred at least, more than
 .5% are free ends, more than 10% are free ends or junctions, and over more than 15% of the length of these edges the surface turns by 120
 degrees and more.
 On a CAD model every edge of 40 degrees and more is a feature. But where two chains of them are the sides of a strip, one face
 across and narrower than a twentieth of the length, over which the surface turns by less than 120 degrees, as at a small bevel, only
-the sharper one is. A face that is ten times as long as high, with a dihedral angle of 150 degrees and more at one of its edges, is
-a sliver folded onto its neighbor: it counts as if it looked as the face at its longest edge does; unless it goes on, by less than 40
-degrees, to others, more than 64 of them or all with more than a twentieth of the square of their longest edge as area, as beside a
-knife's edge.
+the sharper one is; unless the next strip is as narrow, as around a slender bar. A face that is ten times as long as high, with a
+dihedral angle of 150 degrees and more at one of its edges, is a sliver folded onto its neighbor: it counts as if it looked as the face at
+its longest edge does; unless it goes on, by less than 40 degrees, to others, more than 64 of them or all with more than a twentieth of
+the square of their longest edge as area, as beside a knife's edge.
 
 If not, it is an organic model or a noisy one. Each of its components, faces that hang together by edges, that is a CAD model by these
 rules on its own, and has an area of at least 24 squares of `scale`, or of the mean edge without one, has the features of one, all the same.

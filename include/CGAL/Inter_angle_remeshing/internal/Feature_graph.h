@@ -64,8 +64,15 @@ public:
   // Drops components that are shorter than this and have fewer edges.
   void drop_short_components(double least_length, std::size_t least_edges = (std::numeric_limits<std::size_t>::max)())
   {
+    drop_components_shorter_than([&](Index) { return least_length; }, least_edges);
+  }
+  // The same; the least length of a component is that of a half-edge of it.
+  template <class Length>
+  void drop_components_shorter_than(const Length& least_length, std::size_t least_edges)
+  {
     for (const std::vector<Index>& component : components())
-      if (component.size() < least_edges && length_of(component) < least_length * length_) drop(component);
+      if (component.size() < least_edges && length_of(component) < least_length(edges_[component.front()].halfedge) * length_)
+        drop(component);
   }
 
   // Keeps closed curves that meet no other, are sharp, hardly bend, do not run beside themselves, and are no shorter than this.
@@ -118,7 +125,7 @@ public:
   }
 
   // Where two chains are the sides of a strip of faces that is narrower than this, the weaker one goes: no good triangles fit in
-  // between. Not at the rim of a plate, where the surface turns back.
+  // between. Not at the rim of a plate, where the surface turns back, nor where the next strip is as narrow, as around a slender bar.
   void drop_sides_of_strips(double width);
 
 private:
@@ -530,9 +537,11 @@ inline void Feature_graph::drop_parallel_chains()
 inline void Feature_graph::drop_sides_of_strips(double width)
 {
   std::vector<double> accepted(vertices_.size(), 0);          // by vertex: the largest angle of an accepted edge there
+  const auto is_strip = [&](Index h) { return h >= 0 && number_[mesh_.apex(h)] >= 0 && mesh_.altitude(h) < width; };
   const auto is_beside = [&](const Edge& e, Index h) {
-    const Index apex = number_[mesh_.apex(h)];
-    return apex >= 0 && accepted[apex] > 0 && accepted[apex] + e.angle < MOST_TURN && mesh_.altitude(h) < width;
+    if (!is_strip(h) || is_strip(mesh_.opposite(h))) return false;
+    const double angle = accepted[number_[mesh_.apex(h)]];
+    return angle > 0 && angle + e.angle < MOST_TURN;
   };
   for (const Chain& chain : chains_strongest_first()) {
     double beside = 0;

@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Face_normals.h>
 #include <CGAL/Inter_angle_remeshing/internal/Feature_graph.h>
 #include <CGAL/Inter_angle_remeshing/internal/jagged_chamfers.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh_regions.h>
 #include <CGAL/Inter_angle_remeshing/internal/voxel_surface.h>
 
 #include <algorithm>
@@ -36,8 +37,8 @@ class Model_kind
 
   // Dihedral angles in degrees.
   static constexpr double MILD_ANGLE = 12, FLAT_ANGLE = 8;
-  // Sharp edges that hang together are long with so many edge lengths, with this part of the root of the area, or as a ring of so
-  // many edges, between which there are no sharp ones.
+  // Sharp edges that hang together are long with so many edge lengths, with this part of the root of the area that hangs together with
+  // them, or as a ring of so many edges, between which there are no sharp ones.
   static constexpr double LONG_COMPONENT = 8, LONG_PART = 0.25;
   static constexpr std::size_t LONG_RING = 9;
   // The edges in between may be so many times as long as sharp ones that form a network.
@@ -182,13 +183,28 @@ private:
            (is_cad_ && share >= SIMPLIFIED_CHAMFERS && chamfers.jagged_share() >= SIMPLIFIED_JAGS);
   }
 
-  // The length of these edges in components that are long beside the edges of the mesh, or beside the model.
+  // By face, the area of all that hangs together with it.
+  std::vector<double> areas_of_parts() const
+  {
+    std::vector<double> result(mesh_.number_of_face_slots());
+    std::vector<Index> number(result.size(), -1);
+    for (Index first = 0; first < Index(result.size()); ++first) {
+      if (number[first] >= 0) continue;
+      const std::vector<Index> part = component_of(mesh_, first, number);
+      const double area = std::accumulate(part.begin(), part.end(), 0., [&](double sum, Index f) {
+        return sum + normals_.doubled_areas()[f] / 2; });
+      for (const Index f : part) result[f] = area;
+    }
+    return result;
+  }
+
+  // The length of these edges in components that are long beside the edges of the mesh, or beside the part that they are on.
   double length_in_long_components(const std::vector<Index>& edges) const
   {
-    const std::vector<float>& areas = normals_.doubled_areas();
-    const double area = std::accumulate(areas.begin(), areas.end(), 0.) / 2;
+    const std::vector<double> areas = areas_of_parts();
     Feature_graph graph(mesh_, own_length_, edges);
-    graph.drop_short_components((std::min)(LONG_COMPONENT, LONG_PART * std::sqrt(area) / own_length_), LONG_RING);
+    graph.drop_components_shorter_than([&](Index h) {
+      return (std::min)(LONG_COMPONENT, LONG_PART * std::sqrt(areas[h >> 2]) / own_length_); }, LONG_RING);
     double sum = 0;
     for (const Index h : graph.edges()) sum += std::sqrt(mesh_.squared_edge_length(h));
     return sum;

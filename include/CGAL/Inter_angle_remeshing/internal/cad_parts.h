@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/Feature_detector.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/cross_products.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh_regions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -45,7 +46,7 @@ public:
     Features_with_parts result;
     for (Index first = 0; first < Index(face_in_part_.size()); ++first) {
       if (face_in_part_[first] >= 0) continue;
-      const std::vector<Index> faces = component_of(first);
+      const std::vector<Index> faces = component_of(mesh_, first, face_in_part_);
       if (faces.size() == face_in_part_.size()) return {};
       const Remeshing_mesh part = mesh_of(faces);
       std::vector<double> lengths_in_part;
@@ -62,21 +63,6 @@ public:
 private:
   // The least area of a part, in squares of the target length: a cube of less than twice that length is a few faces, sharp or not.
   static constexpr double LEAST_AREA = 24;
-
-  // Of a face, which becomes the first one there.
-  std::vector<Index> component_of(Index first)
-  {
-    std::vector<Index> faces = {first};
-    face_in_part_[first] = 0;
-    for (std::size_t i = 0; i < faces.size(); ++i)
-      for (Index h = 4 * faces[i]; h < 4 * faces[i] + 3; ++h) {
-        const Index o = mesh_.opposite(h);
-        if (o < 0 || face_in_part_[o >> 2] >= 0) continue;
-        face_in_part_[o >> 2] = Index(faces.size());
-        faces.push_back(o >> 2);
-      }
-    return faces;
-  }
 
   Index in_part(Index h) const { return 4 * face_in_part_[h >> 2] + (h & 3); }
 

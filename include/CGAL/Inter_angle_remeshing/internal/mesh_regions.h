@@ -62,6 +62,24 @@ inline std::vector<Remeshing_mesh::Index> faces_around(const Remeshing_mesh& mes
   return result;
 }
 
+// The faces that hang together with a face by edges, from it on. `number`, by face, becomes their place among these; only faces whose
+// number is negative are looked at.
+inline std::vector<Remeshing_mesh::Index> component_of(const Remeshing_mesh& mesh, Remeshing_mesh::Index first,
+                                                       std::vector<Remeshing_mesh::Index>& number)
+{
+  using Index = Remeshing_mesh::Index;
+  std::vector<Index> faces = {first};
+  number[first] = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    for (Index h = 4 * faces[i]; h < 4 * faces[i] + 3; ++h) {
+      const Index o = mesh.opposite(h);
+      if (o < 0 || number[o >> 2] >= 0) continue;
+      number[o >> 2] = Index(faces.size());
+      faces.push_back(o >> 2);
+    }
+  return faces;
+}
+
 // The ends of the edge of h and the vertices opposite to it.
 inline std::vector<Remeshing_mesh::Index> ends_and_apexes(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
