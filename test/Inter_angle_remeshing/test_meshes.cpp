@@ -1057,6 +1057,20 @@ void without_a_length_angles_are_mended()
   }
 }
 
+// Moves alone cannot mend the cells of a torus, which are long outside and short inside. They leave no angle thinner all the same: relaxation
+// and the polish made 4.6 degrees of 16, and 20 of 27 and of 37.
+void moves_alone_make_no_thin_angles()
+{
+  for(const auto& [along, around, radius] : {std::tuple{40, 40, .4}, {60, 20, .4}, {30, 30, .5}, {80, 20, .25}})
+    for(const bool does_flip : {false, true})
+    {
+      Mesh m = meshes::to_mesh<Mesh>(meshes::torus(along, around, radius));
+      const auto report = IAR::isotropic_remeshing(0., m, parameters::do_flip(does_flip));
+      CHECK_MESSAGE(report.angles_after.minimum > (std::min)(report.angles_before.minimum, 25.) - .2,
+                    along << ": " << report.angles_before.minimum << " to " << report.angles_after.minimum);
+    }
+}
+
 // Where nothing is left to do, the run ends, and the result is as good.
 void settled_meshes_end_early()
 {
@@ -1832,6 +1846,7 @@ int main(int argc, char* argv[])
   vertices_of_tips_and_saddles_are_regular();
   coarse_organic_models_gain_by_irregular_vertices();
   without_a_length_angles_are_mended();
+  moves_alone_make_no_thin_angles();
   settled_meshes_end_early();
   angles_are_better_than_those_of_polygon_mesh_processing();
   random_meshes_keep_what_they_must();

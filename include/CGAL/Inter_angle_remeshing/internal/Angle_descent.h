@@ -39,15 +39,17 @@ class Angle_descent
   static constexpr double BACKTRACK = 0.4;
   // No step makes the least angle of a star smaller where it is, or becomes, less than this, in degrees: the energy alone would give up any
   // small angle for a large one. The second value is for stars at curves, whose vertices do not get out of the way, if the band allows it.
-  static constexpr double SMALL_ANGLE = 20, SMALL_ANGLE_AT_CURVES = 28;
+  // The third one is for all stars where vertices are kept, and nothing else would mend such an angle.
+  static constexpr double SMALL_ANGLE = 20, SMALL_ANGLE_AT_CURVES = 28, SMALL_ANGLE_OF_KEPT_VERTICES = 30;
   // A slide leaves at most this part of the energy: less is not worth that the neighbors look again.
   static constexpr double ENOUGH = 0.99;
 
 public:
   explicit Angle_descent(Remeshing_context& context)
     : context_(context), mesh_(context.mesh), bands_(context.recipe, LOWER_MARGIN, UPPER_MARGIN),
-      small_cosine_(cosine(SMALL_ANGLE)),
-      small_cosine_at_curves_(cosine((std::max)(SMALL_ANGLE, (std::min)(SMALL_ANGLE_AT_CURVES, bands_.at_curves.lower()))))
+      small_cosine_(cosine(context.keeps_vertices ? SMALL_ANGLE_OF_KEPT_VERTICES : SMALL_ANGLE)),
+      small_cosine_at_curves_((std::min)(small_cosine_,
+                                         cosine((std::max)(SMALL_ANGLE, (std::min)(SMALL_ANGLE_AT_CURVES, bands_.at_curves.lower())))))
   {}
 
   const Angle_bands& bands() const { return bands_; }

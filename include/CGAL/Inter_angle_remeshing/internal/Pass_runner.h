@@ -59,7 +59,8 @@ public:
   Pass_runner(Remeshing_context& context, const Schedule& schedule, Run_clock& clock, Remeshing_report& report)
     : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule), clock_(clock), report_(report),
       relaxation_(context.recipe, context.curves, context.grading, context.noise,
-                  has_long_protected_edge(context.mesh, [&](Index u, Index v) { return context.length_at(u, v); }))
+                  has_long_protected_edge(context.mesh, [&](Index u, Index v) { return context.length_at(u, v); }),
+                  context.keeps_vertices)
   {}
 
   bool goes_on() const { return report_.ending == Remeshing_report::Ending::completed; }

@@ -69,10 +69,12 @@ class Relaxation
 public:
   using Index = Sweep_data::Index;
 
-  Relaxation(const Recipe& recipe, const Input_curves& curves, const Grading& grading, double noise, bool has_long_protected_edges)
+  Relaxation(const Recipe& recipe, const Input_curves& curves, const Grading& grading, double noise, bool has_long_protected_edges,
+             bool keeps_vertices)
     : recipe_(recipe), curves_(curves), grading_(grading),
       bound_(noise > LITTLE_NOISE ? (std::max)(LEAST_BOUND, LITTLE_NOISE / noise) : 1.),
-      has_long_protected_edges_(has_long_protected_edges)
+      has_long_protected_edges_(has_long_protected_edges), keeps_angles_(keeps_vertices),
+      thin_(keeps_vertices ? THIN_SQUARED_SINE_OF_KEPT_VERTICES : THIN_SQUARED_SINE)
   {}
 
   // Returns the number of vertices that may have moved: all of them, or those of a region. Slides leave no chord further than
@@ -115,7 +117,7 @@ private:
   bool turns_no_face(std::size_t i, const Vector3& q) const;
   bool keeps_faces(std::size_t i, const Vector3& q, bool is_safe) const;
   double smallest_angle(std::size_t i, const Vector3& p) const;
-  void take_step(std::size_t i, const Vector3& step);
+  void take_step(std::size_t i, const Vector3& step, bool keeps_angles);
   void take_guarded_step(std::size_t i, const Vector3& step, const Projection& projector);
   void slide(std::size_t i);
   double chord_deviation(std::size_t i, double shift, const Vector3& p) const;
@@ -127,6 +129,8 @@ private:
   const Grading& grading_;
   const double bound_;                // of ρ, as part of that of a clean mesh
   const bool has_long_protected_edges_;
+  const bool keeps_angles_;           // everywhere, not only at curves and beside them
+  const double thin_;                 // squared sine of the angle under which none is made smaller there
   Remeshing_mesh* mesh_ = nullptr;    // of the run: keeps the places on curves
   double curve_tolerance_ = 0;
   Sweep_data data_;
@@ -275,7 +279,7 @@ inline void Relaxation::sweep(std::size_t begin, std::size_t end, unsigned numbe
                          : takes_normals ? refresh_normal(i) : to_centre(i);
     const Vector3 tangential = step - dot(step, normal_[i]) * normal_[i];
     if (std::signbit(step_factor_[i])) take_guarded_step(i, -step_factor_[i] * tangential, projector);
-    else take_step(i, step_factor_[i] * tangential);
+    else take_step(i, step_factor_[i] * tangential, keeps_angles_);
   }
 }
 
@@ -296,12 +300,12 @@ inline bool Relaxation::turns_no_face(std::size_t i, const Vector3& q) const
   });
 }
 
-// Whether none of the faces around vertex i, which is on a curve or beside one, turns when the vertex moves to q, which a safe
-// step does not make them do, nor grows thin.
+// Whether none of the faces around vertex i, where angles are kept, turns when the vertex moves to q, which a safe step does not make
+// them do, nor grows thin.
 inline bool Relaxation::keeps_faces(std::size_t i, const Vector3& q, bool is_safe) const
 {
   const Vector3& p = data_.position[i];
-  double thinnest = THIN_SQUARED_SINE;
+  double thinnest = thin_;
   const bool turns_none = data_.all_of_link(i, [&](Index u, Index v) {
     const Vector3 &a = data_.position[u], &b = data_.position[v];
     const Vector3 after = triangle_cross(q, a, b);
@@ -311,7 +315,7 @@ inline bool Relaxation::keeps_faces(std::size_t i, const Vector3& q, bool is_saf
     if (area < thinnest * longest) thinnest = area / longest;
     return true;
   });
-  return turns_none && (thinnest == THIN_SQUARED_SINE || !makes_thin_angle(smallest_angle(i, p), thinnest));
+  return turns_none && (thinnest == thin_ || !is_thinner(thinnest, smallest_angle(i, p)));
 }
 
 // The squared sine of the smallest angle of the faces around vertex i if it lay at p.
@@ -325,13 +329,13 @@ inline double Relaxation::smallest_angle(std::size_t i, const Vector3& p) const
   return smallest;
 }
 
-BOOST_FORCEINLINE void Relaxation::take_step(std::size_t i, const Vector3& step)
+BOOST_FORCEINLINE void Relaxation::take_step(std::size_t i, const Vector3& step, bool keeps_angles)
 {
   const bool is_safe = squared_length(step) <= safe_step_[i];
   double factor = 1;
   for (int trial = 0; trial < STEP_TRIALS; ++trial, factor /= 2) {
     const Vector3 q = data_.position[i] + factor * step;
-    if (!is_safe && !turns_no_face(i, q)) continue;
+    if (!(keeps_angles ? keeps_faces(i, q, is_safe) : is_safe || turns_no_face(i, q))) continue;
     data_.position[i] = q;
     return;
   }
@@ -347,7 +351,7 @@ inline void Relaxation::take_guarded_step(std::size_t i, const Vector3& step, co
     const Vector3 q = projector(data_.position[i] + factor * step, hint);
     if (!projector.is_compatible(hint, normal_[i])) continue;
     const bool is_safe = squared_distance(q, data_.position[i]) <= safe_step_[i];
-    if (!(data_.mobility[i] == Mobility::guarded ? keeps_faces(i, q, is_safe) : is_safe || turns_no_face(i, q))) continue;
+    if (!(keeps_angles_ || data_.mobility[i] == Mobility::guarded ? keeps_faces(i, q, is_safe) : is_safe || turns_no_face(i, q))) continue;
     data_.position[i] = q;
     data_.hint[i] = hint;
     return;
@@ -408,7 +412,7 @@ void Relaxation::project_all(const Projection& projector)
       const Vector3 q = projector(data_.position[i], hint);
       if (!projector.is_compatible(hint, normal_[i])) continue;
       data_.hint[i] = hint;
-      take_step(i, q - data_.position[i]);
+      take_step(i, q - data_.position[i], false);
     }
   });
 }
