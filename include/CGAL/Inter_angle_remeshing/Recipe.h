@@ -27,8 +27,10 @@ struct Recipe
   enum class Weights
   {
     uniform,    ///< all alike
-    area,       ///< by the area of the faces beside the edge to the neighbor
-    cotangent   ///< by the cotangents of the angles opposite to that edge; negative weights count as zero
+    area,       ///< by the area of the faces beside the edge to the neighbor: for `relaxation` up to 1, with the default's 1.5 sweeps
+                ///< diverge
+    cotangent   ///< by the cotangents of the angles opposite to that edge; negative weights count as zero. For comparison: faces keep
+                ///< their shapes, and the average of the angles is 4 to 5 degrees less.
   };
 
   /// which policies rule where the user hands none over
@@ -42,7 +44,8 @@ struct Recipe
   enum class Surface
   {
     measured,   ///< facets, or the surface of `MLS_projector` where they are much longer than the target
-    paper       ///< that of `Point_set_MLS_projector` on the `Upsampled_point_set` of the range; needs Eigen
+    paper       ///< that of `Point_set_MLS_projector` on the `Upsampled_point_set` of the range; needs Eigen. For organic models: features
+                ///< are not looked for, sharp edges become round, and edges that are long beside a part's walls and corners make a wreck.
   };
 
   /// edges longer than this many target lengths are split; in (1, 2]. The classic value is 4/3; with 1.3 the mean edge
@@ -51,7 +54,7 @@ struct Recipe
   /// edges shorter than this many target lengths are collapsed; in [0, 1), and at most `split_ratio` / 1.2
   double collapse_ratio = 0.8;
   /// λ, the factor on the tangential step towards the centre of the neighbors: 1 goes there, more than 1
-  /// over-relaxes. In (0, 1.6]; sweeps with more than that diverge.
+  /// over-relaxes. In (0, 1.6]; sweeps with more than that diverge, those with other weights than uniform ones before.
   double relaxation = 1.5;
   /// the weights of the centre
   Weights weights = Weights::uniform;
