@@ -27,10 +27,9 @@ struct Recipe
   enum class Weights
   {
     uniform,    ///< all alike
-    area,       ///< by the area of the faces beside the edge to the neighbor: for `relaxation` up to 1, with the default's 1.5 sweeps
-                ///< diverge
+    area,       ///< by the area of the faces beside the edge to the neighbor; for `relaxation` up to 1: with its default, sweeps diverge
     cotangent   ///< by the cotangents of the angles opposite to that edge; negative weights count as zero. For comparison: faces keep
-                ///< their shapes, and the average of the angles is 4 to 5 degrees less.
+                ///< their shapes, and the average of their least angles is 4 to 5 degrees less.
   };
 
   /// which policies rule where the user hands none over
@@ -54,7 +53,7 @@ struct Recipe
   /// edges shorter than this many target lengths are collapsed; in [0, 1), and at most `split_ratio` / 1.2
   double collapse_ratio = 0.8;
   /// λ, the factor on the tangential step towards the centre of the neighbors: 1 goes there, more than 1
-  /// over-relaxes. In (0, 1.6]; sweeps with more than that diverge, those with other weights than uniform ones before.
+  /// over-relaxes. In (0, 1.6]; sweeps with more than that diverge, and with other weights than uniform ones those with less, too.
   double relaxation = 1.5;
   /// the weights of the centre
   Weights weights = Weights::uniform;

@@ -6,7 +6,6 @@
 #define CGAL_INTER_ANGLE_REMESHING_DETECT_FEATURES_H
 
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
-#include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
 #include <CGAL/Inter_angle_remeshing/internal/feature_detection.h>
 #include <CGAL/Inter_angle_remeshing/internal/flat_copy.h>
 #include <CGAL/Inter_angle_remeshing/internal/refuse.h>
@@ -53,7 +52,8 @@ What has grown and is as flat as a leaf is none, either: of the vertices of edge
 degrees and more.
 On a CAD model every edge of 40 degrees and more is a feature. But where two chains of them are the sides of a strip, one face
 across and narrower than a twentieth of the length, over which the surface turns by less than 120 degrees, as at a small bevel, only
-the sharper one is; unless the next strip is as narrow, as around a slender bar. A face that is ten times as long as high, with a
+the sharper one is; unless such a strip lies on the other side of the weaker one, too, and that between both is at least a twentieth of
+`scale` wide, as around a slender bar. A face that is ten times as long as high, with a
 dihedral angle of 150 degrees and more at one of its edges, is a sliver folded onto its neighbor: it counts as if it looked as the face at
 its longest edge does; unless it goes on, by less than 40 degrees, to others, more than 64 of them or all with more than a twentieth of
 the square of their longest edge as area, as beside a knife's edge.
@@ -113,8 +113,8 @@ the edge, and the cube of two `scale` around it has more than five `scale` of ri
 these are at most 0.4 `scale` apart in height, by their centres along the mean normal of the faces beside them, and the normals agree
 so far that their sum is more than half as long as all of them. Thin bars and plates, whose sides face away from each other, and the
 teeth of a gear, which are higher, are kept. In components of features most of which are such edges, half of that density will do;
-and with them goes what is ragged beside them: what leads on to a corner within 1.5 of the length, and on from there where a fifth of the
-component is such edges, and chains that end after three.
+and with them goes what is ragged beside them: what leads on to a corner within 1.5 `scale`, and on from there where a fifth of the
+component is such edges, and chains that end after three; but no edge of `scale` and more between faces as high over it.
 What is a relief by this rule with a shorter length in place of `scale`, 0.7, 0.7², ... 0.7⁸ of it, is one, too: it is as well too fine
 for `scale`, whose cube may hold a small part as a whole.
 
@@ -168,9 +168,8 @@ std::size_t detect_features(const FaceRange& faces, const TriangleMesh& tmesh, E
   using Vpm = std::decay_t<decltype(vpm)>;
   if (faces.begin() == faces.end()) return 0;
   const auto copy = internal::Flat_copy_builder<TriangleMesh, Vpm>(tmesh, vpm, CALLER).build(faces);
-  const double length = scale > 0 ? scale / copy.mesh.unit() : internal::mean_edge_length(copy.mesh);
   const std::vector<Index> features = internal::find_features(
-    copy.mesh, length, scale > 0 ? Recipe().fillet_width : 0.,
+    copy.mesh, scale / copy.mesh.unit(), scale > 0 ? Recipe().fillet_width : 0.,
     scale > 0 ? Recipe().relief_density : std::numeric_limits<double>::infinity());
   for (Index h = 0; h < 4 * Index(copy.faces.size()); ++h)
     if (copy.mesh.corner(h) < 3) put(edge_is_feature, edge(copy.halfedge(h), tmesh), false);

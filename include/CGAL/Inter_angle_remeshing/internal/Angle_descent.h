@@ -39,7 +39,7 @@ class Angle_descent
   static constexpr double BACKTRACK = 0.4;
   // No step makes the least angle of a star smaller where it is, or becomes, less than this, in degrees: the energy alone would give up any
   // small angle for a large one. The second value is for stars at curves, whose vertices do not get out of the way, if the band allows it.
-  // The third one is for all stars where vertices are kept, and nothing else would mend such an angle.
+  // The third one is for all stars where vertices are kept, and no split or collapse would mend such an angle.
   static constexpr double SMALL_ANGLE = 20, SMALL_ANGLE_AT_CURVES = 28, SMALL_ANGLE_OF_KEPT_VERTICES = 30;
   // A slide leaves at most this part of the energy: less is not worth that the neighbors look again.
   static constexpr double ENOUGH = 0.99;

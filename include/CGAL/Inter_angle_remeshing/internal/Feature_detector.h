@@ -44,8 +44,8 @@ public:
   // Features shorter than a few times `target_length`, or than a few edges of the mesh, are none: of those that the mesh has on its own,
   // a greater length leaves some. With 0 they are those that the mesh has on its own.
   Feature_detector(const Remeshing_mesh& mesh, double target_length)
-    : mesh_(mesh), own_length_(mean_edge_length(mesh)), target_length_(target_length > 0 ? target_length : own_length_),
-      length_((std::max)(target_length_, own_length_)), normals_(mesh), kind_(normals_, own_length_), unfiltered_(normals_.all())
+    : mesh_(mesh), own_length_(mean_edge_length(mesh)), scale_(target_length),
+      target_length_(target_length > 0 ? target_length : own_length_), length_((std::max)(target_length_, own_length_)), normals_(mesh), kind_(normals_, own_length_), unfiltered_(normals_.all())
   {}
 
   Feature_detector(const Feature_detector&) = delete;     // `kind_` refers to `normals_`
@@ -130,6 +130,13 @@ private:
     return result;
   }
 
+  // Whether edges of the target length follow the edge of h, and there is room for some on both sides: no relief is that large.
+  bool is_between_large_faces(Index h) const
+  {
+    return mesh_.squared_edge_length(h) >= target_length_ * target_length_ && mesh_.altitude(h) >= target_length_ &&
+           mesh_.altitude(mesh_.opposite(h)) >= target_length_;
+  }
+
   // The edges of rings, sorted: sharp all around, they are where two surfaces meet, as where a hole was drilled into what has grown.
   // Where there are rings everywhere, it is corrugated.
   std::vector<Index> sharp_rings() const
@@ -158,7 +165,7 @@ private:
     Feature_graph graph(mesh_, target_length_);
     for (const Index h : rims) graph.add(h, normals_.angle(h));
     graph.drop_short_components(LEAST_RIM);
-    graph.drop_sides_of_strips(NARROW * target_length_);
+    graph.drop_sides_of_strips(NARROW * target_length_, NARROW * target_length_);
     return graph.edges();
   }
 
@@ -167,7 +174,7 @@ private:
   {
     Feature_graph graph(mesh_, length_);
     for (const Index h : edges) graph.add(h, normals_.angle(h));
-    graph.drop_sides_of_strips(NARROW * length_);
+    graph.drop_sides_of_strips(NARROW * length_, NARROW * scale_);
     return graph.edges();
   }
 
@@ -182,13 +189,14 @@ private:
       for (double& l : lengths) l *= RELIEF_RATIO;
     }
     if (!(*std::max_element(densities.begin(), densities.end()) > density)) return;
-    Feature_graph graph(mesh_, length_, edges);
+    Feature_graph graph(mesh_, target_length_);
+    for (const Index h : edges) graph.add(h, 0, is_between_large_faces(h));
     graph.cut_out(densities, density);
     edges = graph.edges();
   }
 
   const Remeshing_mesh& mesh_;
-  double own_length_, target_length_, length_;
+  double own_length_, scale_, target_length_, length_;     // scale_: the target length, 0 without one
   Face_normals normals_;
   Model_kind kind_;
   std::vector<Vector3> unfiltered_;      // normals

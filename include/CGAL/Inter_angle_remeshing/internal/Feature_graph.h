@@ -41,7 +41,7 @@ public:
     for (const Index h : edges) add(h, 0);
   }
 
-  // Edges that are certain to be features are not dropped by prune().
+  // Edges that are certain to be features are not dropped by prune() or cut_out().
   void add(Index h, double angle, bool is_certain = false)
   {
     const std::array<Index, 2> ends = {number_of(mesh_.origin(h)), number_of(mesh_.target(h))};
@@ -125,8 +125,9 @@ public:
   }
 
   // Where two chains are the sides of a strip of faces that is narrower than this, the weaker one goes: no good triangles fit in
-  // between. Not at the rim of a plate, where the surface turns back, nor where the next strip is as narrow, as around a slender bar.
-  void drop_sides_of_strips(double width);
+  // between. Not at the rim of a plate, where the surface turns back; nor if the strip is no narrower than `certain_width`, and a strip
+  // narrower than `width` lies on the other side of that chain, too, as around a slender bar.
+  void drop_sides_of_strips(double width, double certain_width);
 
 private:
   struct Network_shape
@@ -329,6 +330,7 @@ inline void Feature_graph::cut_out(const std::vector<double>& density, double la
   std::vector<char> is_cut(vertices_.size(), 0), is_settled(vertices_.size(), 0);     // by vertex; settled: looked at since the last cut
   std::vector<Index> cut;
   const auto cut_off = [&](Index e) {
+    if (edges_[e].is_certain) return;
     take_out(e);
     for (const Index v : edges_[e].ends) {
       is_cut[v] = 1;
@@ -534,12 +536,12 @@ inline void Feature_graph::drop_parallel_chains()
   }
 }
 
-inline void Feature_graph::drop_sides_of_strips(double width)
+inline void Feature_graph::drop_sides_of_strips(double width, double certain_width)
 {
   std::vector<double> accepted(vertices_.size(), 0);          // by vertex: the largest angle of an accepted edge there
   const auto is_strip = [&](Index h) { return h >= 0 && number_[mesh_.apex(h)] >= 0 && mesh_.altitude(h) < width; };
   const auto is_beside = [&](const Edge& e, Index h) {
-    if (!is_strip(h) || is_strip(mesh_.opposite(h))) return false;
+    if (!is_strip(h) || (mesh_.altitude(h) >= certain_width && is_strip(mesh_.opposite(h)))) return false;
     const double angle = accepted[number_[mesh_.apex(h)]];
     return angle > 0 && angle + e.angle < MOST_TURN;
   };

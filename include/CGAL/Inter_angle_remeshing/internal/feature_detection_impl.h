@@ -19,18 +19,18 @@ namespace internal {
 CGAL_INTER_ANGLE_REMESHING_INLINE
 std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh)
 {
-  const double length = mean_edge_length(mesh);
-  Feature_detector detector(mesh, length);
-  return features_with_parts(mesh, detector, 0, std::vector<double>(mesh.number_of_face_slots(), length),
+  Feature_detector detector(mesh, 0);
+  return features_with_parts(mesh, detector, 0, std::vector<double>(mesh.number_of_face_slots(), mean_edge_length(mesh)),
                              [](Feature_detector& d, const std::vector<double>&) { return d.features(); }).edges;
 }
 
 CGAL_INTER_ANGLE_REMESHING_INLINE
-std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, double length, double fillet_width,
+std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, double scale, double fillet_width,
                                                  double relief_density)
 {
-  Feature_detector detector(mesh, length);
-  return features_with_parts(mesh, detector, length, std::vector<double>(mesh.number_of_face_slots(), length),
+  const double length = scale > 0 ? scale : mean_edge_length(mesh);
+  Feature_detector detector(mesh, scale);
+  return features_with_parts(mesh, detector, scale, std::vector<double>(mesh.number_of_face_slots(), length),
                              [&](Feature_detector& d, const std::vector<double>& lengths) {
     return d.features_for(lengths, fillet_width, relief_density).edges; }).edges;
 }

@@ -129,8 +129,8 @@ private:
   const Grading& grading_;
   const double bound_;                // of ρ, as part of that of a clean mesh
   const bool has_long_protected_edges_;
-  const bool keeps_angles_;           // everywhere, not only at curves and beside them
-  const double thin_;                 // squared sine of the angle under which none is made smaller there
+  const bool keeps_angles_;           // of all stars, not only of those at curves and beside them
+  const double thin_;                 // squared sine of the angle under which none of these is made smaller
   Remeshing_mesh* mesh_ = nullptr;    // of the run: keeps the places on curves
   double curve_tolerance_ = 0;
   Sweep_data data_;

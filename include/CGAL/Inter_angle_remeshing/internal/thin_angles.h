@@ -19,7 +19,7 @@ namespace internal {
 
 // Squared sine of 20 degrees.
 constexpr double THIN_SQUARED_SINE = 0.116977778440511;
-// Where vertices are kept, and nothing but moves can mend a thin face, relaxation makes no angle under 25 degrees smaller anywhere.
+// The same of 25 degrees: where vertices are kept no split or collapse mends a thin face, and relaxation spares it anywhere.
 constexpr double THIN_SQUARED_SINE_OF_KEPT_VERTICES = 0.178606195156730;
 
 // The smallest angle of a triangle lies between its two longest edges. Its squared sine, for the squared lengths of the

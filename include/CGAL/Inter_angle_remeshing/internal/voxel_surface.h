@@ -34,9 +34,9 @@ class Voxel_surface
   static constexpr std::size_t LEAST_EDGES = 16;
   // Vectors are the same within this part of the mean edge length, and steps along an axis within this part of half a voxel.
   static constexpr double SAME = 0.01, SAME_STEP = 0.05;
-  // An edge along an axis goes along another one by this part of the shorter of two such edges at most: voxels may be many times as long as
-  // they are wide, and an edge over many rings of a slender bar is all but normal to these.
-  static constexpr double NORMAL = 0.02;
+  // Two edges are normal to each other if the longer one goes along the shorter one by at most this part of that: voxels may be many times
+  // as long as they are wide, and edges between the rings of a slender bar are all but normal to these.
+  static constexpr double MOST_ALONG = 0.02;
 
 public:
   // `mean_length` is that of the edges of the mesh.
@@ -109,7 +109,7 @@ private:
 
   static bool is_normal(const Vector3& a, const Vector3& b)
   {
-    return std::abs(dot(a, b)) <= NORMAL * (std::min)(squared_length(a), squared_length(b));
+    return std::abs(dot(a, b)) <= MOST_ALONG * (std::min)(squared_length(a), squared_length(b));
   }
 
   std::vector<Edge_vector> vectors_;     // of the edges, each with its opposite
