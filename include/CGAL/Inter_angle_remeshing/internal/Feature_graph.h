@@ -66,7 +66,7 @@ public:
   {
     drop_components_shorter_than([&](Index) { return least_length; }, least_edges);
   }
-  // The same; the least length of a component is that of a half-edge of it.
+  // The same; `least_length(h)` is asked for one half-edge of each component.
   template <class Length>
   void drop_components_shorter_than(const Length& least_length, std::size_t least_edges)
   {

@@ -18,7 +18,8 @@ namespace internal {
 CGAL_INTER_ANGLE_REMESHING_INLINE
 std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh);
 
-// Those that edges of this length would cut off; 0: those that the mesh has on its own. The other arguments are those of Feature_detector::features_for().
+// Those that edges of this length would cut off; 0: those that the mesh has on its own. The other arguments are those of
+// Feature_detector::features_for().
 CGAL_INTER_ANGLE_REMESHING_INLINE
 std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, double scale, double fillet_width,
                                                  double relief_density);
