@@ -2038,6 +2038,32 @@ void slender_bars_keep_their_edges()
   }
 }
 
+// A cylinder whose ends have chamfers, .057 target lengths wide, keeps one rim of each, however its flat ends are cut into faces: from
+// one vertex, or by cutting off every other vertex, around and around, which leaves low faces along the rim.
+void flat_ends_are_no_strips()
+{
+  constexpr std::size_t SIDES = 64;
+  constexpr double WIDTH = .01, LENGTH = .25;
+  const meshes::Profile profile{{1 - WIDTH, 0}, {1, WIDTH}, {1, 1 - WIDTH}, {1 - WIDTH, 1}};
+  const meshes::Soup with_fans = meshes::turned(profile, SIDES, false);
+  meshes::Soup with_ears = with_fans;
+  with_ears.faces.resize(2 * SIDES * (profile.size() - 1));
+  const std::size_t top = SIDES * (profile.size() - 1);
+  for(std::size_t step = 1; step < SIDES / 2; step *= 2)
+    for(std::size_t i = 0; i < SIDES; i += 2 * step)
+    {
+      const std::size_t j = i + step, k = (i + 2 * step) % SIDES;
+      with_ears.faces.push_back({i, k, j});
+      with_ears.faces.push_back({top + i, top + j, top + k});
+    }
+  for(const meshes::Soup& soup : {with_fans, with_ears})
+  {
+    const Mesh m = meshes::to_mesh<Mesh>(soup);
+    CHECK(CGAL::is_closed(m));
+    CHECK(found_features(m, LENGTH).size() == 2 * SIDES);
+  }
+}
+
 // Where the steps of a staircase are a relief, its large sides are none: with them went all edges within lengths of the mesh's own, which are
 // those of the long steps; volumes of .70 to .97, and distances of .64 to .68 target lengths.
 void the_sides_of_a_staircase_stay()
@@ -2939,6 +2965,7 @@ int main()
   narrow_strips_have_few_needles();
   a_plate_with_a_groove_stays_a_plate();
   slender_bars_keep_their_edges();
+  flat_ends_are_no_strips();
   the_sides_of_a_staircase_stay();
   parts_keep_their_edges_in_any_company();
   organic_models_have_next_to_none();

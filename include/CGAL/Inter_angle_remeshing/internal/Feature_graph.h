@@ -539,17 +539,28 @@ inline void Feature_graph::drop_parallel_chains()
 inline void Feature_graph::drop_sides_of_strips(double width, double certain_width)
 {
   std::vector<double> accepted(vertices_.size(), 0);          // by vertex: the largest angle of an accepted edge there
+  const std::vector<Chain> strongest_first = chains_strongest_first();
+  std::vector<Index> chain_of(edges_.size(), -1);
+  for (std::size_t i = 0; i < strongest_first.size(); ++i)
+    for (const Index e : strongest_first[i].edges) chain_of[e] = Index(i);
   const auto is_strip = [&](Index h) { return h >= 0 && number_[mesh_.apex(h)] >= 0 && mesh_.altitude(h) < width; };
-  const auto is_beside = [&](const Edge& e, Index h) {
-    if (!is_strip(h) || (mesh_.altitude(h) >= certain_width && is_strip(mesh_.opposite(h)))) return false;
+  // A low face of a flat may lie between edges of the same chain.
+  const auto is_strip_to_other_chain = [&](Index edge, Index h) {
+    if (!is_strip(h)) return false;
+    const std::vector<Index>& at_apex = incident_[number_[mesh_.apex(h)]];
+    return std::any_of(at_apex.begin(), at_apex.end(), [&](Index k) { return chain_of[k] != chain_of[edge]; });
+  };
+  const auto is_beside = [&](Index edge, Index h) {
+    const Edge& e = edges_[edge];
+    if (!is_strip(h) || (mesh_.altitude(h) >= certain_width && is_strip_to_other_chain(edge, mesh_.opposite(h)))) return false;
     const double angle = accepted[number_[mesh_.apex(h)]];
     return angle > 0 && angle + e.angle < MOST_TURN;
   };
-  for (const Chain& chain : chains_strongest_first()) {
+  for (const Chain& chain : strongest_first) {
     double beside = 0;
     for (const Index i : chain.edges) {
       const Edge& e = edges_[i];
-      if (is_beside(e, e.halfedge) || is_beside(e, mesh_.opposite(e.halfedge))) beside += e.length;
+      if (is_beside(i, e.halfedge) || is_beside(i, mesh_.opposite(e.halfedge))) beside += e.length;
     }
     if (beside > STRIP_SHARE * length_of(chain.edges)) { drop(chain.edges); continue; }
     for (const Index i : chain.edges)
