@@ -45,7 +45,8 @@ public:
   // a greater length leaves some. With 0 they are those that the mesh has on its own.
   Feature_detector(const Remeshing_mesh& mesh, double target_length)
     : mesh_(mesh), own_length_(mean_edge_length(mesh)), scale_(target_length),
-      target_length_(target_length > 0 ? target_length : own_length_), length_((std::max)(target_length_, own_length_)), normals_(mesh), kind_(normals_, own_length_), unfiltered_(normals_.all())
+      target_length_(target_length > 0 ? target_length : own_length_), length_((std::max)(target_length_, own_length_)),
+      normals_(mesh), kind_(normals_, own_length_), unfiltered_(normals_.all())
   {}
 
   Feature_detector(const Feature_detector&) = delete;     // `kind_` refers to `normals_`
