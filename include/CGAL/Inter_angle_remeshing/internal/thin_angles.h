@@ -19,7 +19,8 @@ namespace internal {
 
 // Squared sine of 20 degrees.
 constexpr double THIN_SQUARED_SINE = 0.116977778440511;
-// That of 25 degrees: the bound of relaxation where vertices are kept, also far from curves, for no split or collapse mends a thin face there.
+// That of 25 degrees: the bound of relaxation where vertices are kept, also far from curves, for no split or collapse mends a thin
+// face there.
 constexpr double THIN_SQUARED_SINE_OF_KEPT_VERTICES = 0.178606195156730;
 
 // The smallest angle of a triangle lies between its two longest edges. Its squared sine, for the squared lengths of the
