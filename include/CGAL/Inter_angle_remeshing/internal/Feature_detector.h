@@ -70,7 +70,7 @@ public:
 
   // What edges of the target lengths, by face, would cut off: the same, the creases of a model that is no CAD model and coarse for the
   // target length, and the fillets of parts, of at most so many target lengths. On CAD models, without what is a relief of this density.
-  Found_features features_for(std::vector<double> lengths, double fillet_width, double relief_density)
+  Found_features features_for(const std::vector<double>& lengths, double fillet_width, double relief_density)
   {
     if (kind_.has_voxel_stairs()) return {};
     const bool is_cad = kind_.is_cad();
@@ -83,7 +83,7 @@ public:
         found.push_back(h);
     Rounded_edges rounded;
     if (may_have_fillets) rounded = Rounded_edge_finder(mesh_, unfiltered_, found, lengths).find(fillet_width);
-    if (is_cad) drop_fine_relief(found, std::move(lengths), relief_density);       // not before: what goes is no fillet either
+    if (is_cad) drop_fine_relief(found, lengths, relief_density);       // not before: what goes is no fillet either
     const std::size_t others = found.size();
     found.insert(found.end(), rounded.edges.begin(), rounded.edges.end());
     if (is_cad || rounded.edges.empty() || Feature_graph(mesh_, own_length_, found).is_bent_network())
@@ -131,11 +131,14 @@ private:
     return result;
   }
 
-  // Whether edges of the target length follow the edge of h, and there is room for some on both sides: no relief is that large.
-  bool is_between_large_faces(Index h) const
+  // Whether edges of the target lengths, by face, follow the edge of h, and there is room for some on both sides: no relief is that large.
+  bool is_between_large_faces(Index h, const std::vector<double>& lengths) const
   {
-    return mesh_.squared_edge_length(h) >= target_length_ * target_length_ && mesh_.altitude(h) >= target_length_ &&
-           mesh_.altitude(mesh_.opposite(h)) >= target_length_;
+    const auto is_large_over = [&](Index g) {
+      const double l = lengths[g >> 2];
+      return mesh_.squared_edge_length(g) >= l * l && mesh_.altitude(g) >= l;
+    };
+    return is_large_over(h) && is_large_over(mesh_.opposite(h));
   }
 
   // The edges of rings, sorted: sharp all around, they are where two surfaces meet, as where a hole was drilled into what has grown.
@@ -181,17 +184,20 @@ private:
 
   // Takes out what is a relief of this density beside edges of these lengths, by face. What is too fine for a length is too fine for a
   // longer one, in whose cube a small part may lie as a whole, with normals to all sides.
-  void drop_fine_relief(std::vector<Index>& edges, std::vector<double> lengths, double density) const
+  void drop_fine_relief(std::vector<Index>& edges, const std::vector<double>& lengths, double density) const
   {
     if (edges.empty() || std::isinf(density) || !(*std::min_element(lengths.begin(), lengths.end()) > 0)) return;
-    std::vector<double> densities(edges.size(), 0);
+    std::vector<double> densities(edges.size(), 0), shorter = lengths;
     for (int scale = 0; scale < RELIEF_SCALES && !(*std::min_element(densities.begin(), densities.end()) > density); ++scale) {
-      Fine_relief(mesh_, normals_.all(), lengths).raise(densities, edges, density);
-      for (double& l : lengths) l *= RELIEF_RATIO;
+      Fine_relief(mesh_, normals_.all(), shorter).raise(densities, edges, density);
+      for (double& l : shorter) l *= RELIEF_RATIO;
     }
     if (!(*std::max_element(densities.begin(), densities.end()) > density)) return;
     Feature_graph graph(mesh_, target_length_);
-    for (const Index h : edges) graph.add(h, 0, is_between_large_faces(h));
+    for (const Index h : edges) {
+      const double length_there = (std::min)(lengths[h >> 2], lengths[mesh_.opposite(h) >> 2]);
+      graph.add(h, 0, is_between_large_faces(h, lengths), target_length_ / length_there);
+    }
     graph.cut_out(densities, density);
     edges = graph.edges();
   }

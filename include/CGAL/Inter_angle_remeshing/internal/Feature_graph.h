@@ -41,15 +41,16 @@ public:
     for (const Index h : edges) add(h, 0);
   }
 
-  // Edges that are certain to be features are not dropped by prune() or cut_out().
-  void add(Index h, double angle, bool is_certain = false)
+  // Edges that are certain to be features are not dropped by prune() or cut_out(). Where lengths are others than `length`, that of the
+  // edge counts so many times.
+  void add(Index h, double angle, bool is_certain = false, double times = 1)
   {
     const std::array<Index, 2> ends = {number_of(mesh_.origin(h)), number_of(mesh_.target(h))};
     for (const Index v : ends) {
       incident_[v].push_back(Index(edges_.size()));
       ++edges_left_[v];
     }
-    edges_.push_back({h, ends, angle, std::sqrt(mesh_.squared_edge_length(h)), true, is_certain});
+    edges_.push_back({h, ends, angle, times * std::sqrt(mesh_.squared_edge_length(h)), true, is_certain});
   }
 
   // The half-edges of the edges that are left.
