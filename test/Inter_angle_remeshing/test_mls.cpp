@@ -746,6 +746,52 @@ void fillets_of_a_few_wide_facets_leave_flats_flat()
     }
 }
 
+// A sheet bent twice, by 90 degrees each, around this radius, in so many facets; its three flats are 1 wide and 2 long.
+Soup bent_sheet(double r, std::size_t facets)
+{
+  std::vector<std::array<double, 2>> profile{{0, 1}};
+  for(const double side : {0., 1.})
+    for(std::size_t i = 0; i <= facets; ++i)
+    {
+      const double angle = (1 + (side + double(i) / double(facets)) / 2) * CGAL_PI;
+      profile.push_back({r + side + r * std::cos(angle), r * std::sin(angle)});
+    }
+  profile.push_back({1 + 2 * r, 1});
+  Soup soup;
+  for(const double y : {0., 2.})
+    for(const auto& p : profile)
+      soup.points.push_back({p[0], y, p[1]});
+  const std::size_t n = profile.size();
+  for(std::size_t i = 0; i + 1 < n; ++i)
+  {
+    soup.faces.push_back({i, i + 1, n + i + 1});
+    soup.faces.push_back({i, n + i + 1, n + i});
+  }
+  return soup;
+}
+
+// Where a flat ends at a bend, the border is tangent to the flat, and not to the first facet of the bend: the flats bulged by the
+// whole width of a facet, along with their borders.
+void the_border_of_a_flat_is_straight()
+{
+  for(const std::size_t facets : {3, 6})
+    for(const double r : {.08, .2})
+    {
+      const Mesh input = to_mesh<Mesh>(bent_sheet(r, facets));
+      const std::string name = std::to_string(facets) + ", " + std::to_string(r) + ", ";
+      const Mls mls(input);
+      for(const double y : {0., .7, 2.})
+        for(const Point& p : {Point(0, y, .3), Point(0, y, .6), Point(r + .5, y, -r), Point(2 * r + 1, y, .5)})
+          CHECK_MESSAGE(distance(mls.project(p), p) < 1e-9, name << p << ": " << mls.project(p));
+      const double length = .04;
+      Mesh m = input;
+      IAR::isotropic_remeshing(length, m);
+      const IAR::Surface_distance moved = invariants::surface_distance(input, m);
+      const double largest = r * (1 - std::cos(CGAL_PI / 4 / double(facets)));       // from an arc of a circle to its facets
+      CHECK_MESSAGE(moved.hausdorff() < 1.2 * largest + .15 * length, name << moved.hausdorff() / length);
+    }
+}
+
 // A dam between two plains: flats and slopes that meet at this angle along lines of edges.
 Soup dam(double degrees)
 {
@@ -1028,6 +1074,7 @@ int main()
   a_coarse_mesh_becomes_a_fine_surface();
   fillets_leave_flats_flat();
   fillets_of_a_few_wide_facets_leave_flats_flat();
+  the_border_of_a_flat_is_straight();
   planes_that_meet_stay_planes();
   disks_within_marked_rims_stay_flat();
   long_facets_stay_straight();

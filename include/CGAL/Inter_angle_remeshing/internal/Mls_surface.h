@@ -159,6 +159,11 @@ private:
   double width_at(Index h) const;
   bool is_tangent_rim(Index h) const;
   void find_flats();
+  // Whether the face of h is part of a flat.
+  bool is_flat(Index h) const
+  {
+    return !is_flat_polygon_.empty() && polygons_[h >> 2] >= 0 && is_flat_polygon_[polygons_[h >> 2]] != 0;
+  }
   Vector3 normal_of_flats(const std::vector<Index>& sector) const;
   Vector3 normal_of_uneven_sector(const std::vector<Index>& sector) const;
   void fit_sector(const std::vector<Index>& sector, std::vector<Vector3>& offsets);
@@ -240,10 +245,11 @@ inline void Mls_surface::find_creases_between_planes()
   }
 }
 
-// The tangent at a vertex between two feature edges where the curve has no corner, the nearer one counting more.
+// The tangent at a vertex between two feature edges where the curve has no corner, the nearer one counting more; but where one of them is
+// at a flat and the other is not, it is that one.
 inline void Mls_surface::find_tangents()
 {
-  struct Arms { int count = 0; Vector3 direction[2]; };
+  struct Arms { int count = 0; Vector3 direction[2]; bool is_at_flat[2]; };
   std::vector<Arms> arms(surface_->number_of_vertices());
   for (Index f = 0; f < Index(faces_.size()); ++f)
     for (int k = 0; k < 3; ++k) {
@@ -251,9 +257,13 @@ inline void Mls_surface::find_tangents()
       if (faces_[f].features == 0) break;
       if (!is_feature(h) || (o >= 0 && o < h)) continue;
       const Index ends[2] = {surface_->origin(h), surface_->target(h)};
+      const bool is_at_flat = is_flat(h) || (o >= 0 && is_flat(o));
       for (int e = 0; e < 2; ++e) {
         Arms& a = arms[ends[e]];
-        if (a.count < 2) a.direction[a.count] = surface_->position(ends[1 - e]) - surface_->position(ends[e]);
+        if (a.count < 2) {
+          a.direction[a.count] = surface_->position(ends[1 - e]) - surface_->position(ends[e]);
+          a.is_at_flat[a.count] = is_at_flat;
+        }
         ++a.count;
       }
     }
@@ -264,7 +274,9 @@ inline void Mls_surface::find_tangents()
   for (std::size_t v = 0; v < arms.size(); ++v) {
     const Vector3 &in = arms[v].direction[0], &out = arms[v].direction[1];
     if (arms[v].count != 2 || !is_cosine_at_least(out, -1. * in, CORNER_COSINE)) continue;
-    const Vector3 t = (1 / squared_length(out)) * out - (1 / squared_length(in)) * in;
+    const double out_part = arms[v].is_at_flat[0] && !arms[v].is_at_flat[1] ? 0 : 1 / squared_length(out),
+                 in_part = arms[v].is_at_flat[1] && !arms[v].is_at_flat[0] ? 0 : 1 / squared_length(in);
+    const Vector3 t = out_part * out - in_part * in;
     tangents_[v] = (1 / length(t)) * t;
   }
 }
@@ -375,8 +387,7 @@ inline Vector3 Mls_surface::normal_of_flats(const std::vector<Index>& sector) co
   Vector3 sum;
   for (auto h = sector.begin(); h != sector.end(); ++h) {
     const Index polygon = polygons_[*h >> 2];
-    if (polygon < 0 || !is_flat_polygon_[polygon] ||
-        std::any_of(sector.begin(), h, [&](Index before) { return polygons_[before >> 2] == polygon; })) continue;
+    if (!is_flat(*h) || std::any_of(sector.begin(), h, [&](Index before) { return polygons_[before >> 2] == polygon; })) continue;
     const Vector3& c = polygons_.cross_product(polygon);
     sum += length(c) * c;
   }
