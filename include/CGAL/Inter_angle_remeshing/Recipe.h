@@ -107,9 +107,10 @@ struct Recipe
   /// guide, at most 2. None does where the input is noisy or stairs of voxels, with length 0, where a policy, or `false` in its place, is
   /// handed over or features may not be collapsed, without projection, and with a projection functor that knows no surface.
   double crest_width = 0.8;
-  /// how densely ridges and grooves of CAD models may lie where features are found by themselves, see `detect_features()`: where a cube
-  /// of two target lengths has more than so many target lengths of each, and they are low, they are a relief that no edges of the
-  /// target length can follow, as the stairs of voxels, threads and knurls, and no features. Not negative; infinity keeps them all.
+  /// how densely ridges and grooves of CAD models, and smooth curves of others, may lie where features are found by themselves, see
+  /// `detect_features()`: where a cube of two target lengths has more than so many target lengths of each, and they are low, they are a
+  /// relief that no edges of the target length can follow, as the stairs of voxels, threads and knurls, and no features. Not negative;
+  /// infinity keeps them all.
   double relief_density = 5;
   /// the distance, in target lengths, up to which the ends of an edge are merged before the run where both are corners of features
   /// or borders, or where it leads from one of these to another: corners that CAD systems export twice, chamfers as narrow as a

@@ -38,8 +38,8 @@ struct Remeshing_report
                       ///< degrees and more, but for reliefs too fine for the target length, which `sharpness_angle(40)` keeps,
                       ///< and narrow fillets
     outstanding_edges ///< found by themselves, beside the borders of patches: long chains of edges that stand out of their
-                      ///< surroundings, creases of coarse models, narrow fillets of parts without a sharp edge, the sharp edges of
-                      ///< components that are CAD models
+                      ///< surroundings, sharp edges that are smooth curves as a whole, creases of coarse models, narrow fillets of
+                      ///< parts without a sharp edge, the sharp edges of components that are CAD models
   };
 
   /// the angles of a set of triangles, in degrees; a triangle with two equal corners counts in the extremes as of 0 and 180

@@ -23,7 +23,7 @@
 
 // Which edges of a mesh are sharp, with nothing known but the mesh. On a CAD model, which shows in its dihedral angles,
 // every edge of 40 degrees and more is. Elsewhere the normals are filtered first; what then stands out of its surroundings
-// and continues for some length is a feature, and so are the rims of planar parts, creases of coarse models, and fillets.
+// and continues for some length is a feature, and so are the rims of planar parts, smooth curves, creases of coarse models, and fillets.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -59,17 +59,19 @@ public:
   {
     if (kind_.has_voxel_stairs()) return {};
     if (kind_.is_cad()) return without_narrow_strips(kind_.sharp_edges(Model_kind::CAD_ANGLE));
-    const std::vector<Index> rims = planar_rims(normals_, kind_.sharp_edges()), rings = sharp_rings();
+    const std::vector<Index> rims = planar_rims(normals_, kind_.sharp_edges());
+    const std::vector<Index> curves = united(sharp_rings(), without_narrow_strips(kind_.smooth_curves()));
     Outstanding_edges outstanding(normals_, own_length_, kind_.sharp_edges());
-    if (outstanding.are_none() && rims.empty() && rings.empty()) return {};
-    std::vector<Index> found = united(outstanding.find(), united(rims, rings));
-    const std::vector<Index> certain = united(long_rims(rims), rings);
+    if (outstanding.are_none() && rims.empty() && curves.empty()) return {};
+    std::vector<Index> found = united(outstanding.find(), united(rims, curves));
+    const std::vector<Index> certain = united(long_rims(rims), curves);
     found = long_chains(found, certain, own_length_);
     return length_ > own_length_ ? long_chains(found, certain, length_) : found;
   }
 
   // What edges of the target lengths, by face, would cut off: the same, the creases of a model that is no CAD model and coarse for the
-  // target length, and the fillets of parts, of at most so many target lengths. On CAD models, without what is a relief of this density.
+  // target length, and the fillets of parts, of at most so many target lengths. On CAD models, and on those with smooth curves, without
+  // what is a relief of this density.
   Found_features features_for(const std::vector<double>& lengths, double fillet_width, double relief_density)
   {
     if (kind_.has_voxel_stairs()) return {};
@@ -81,17 +83,17 @@ public:
     for (const Index h : kind_.creases())
       if (is_coarse(h, lengths[h >> 2]) && is_coarse(mesh_.opposite(h), lengths[mesh_.opposite(h) >> 2]))
         found.push_back(h);
+    make_unique(found);
     Rounded_edges rounded;
     if (may_have_fillets) rounded = Rounded_edge_finder(mesh_, unfiltered_, found, lengths).find(fillet_width);
-    if (is_cad) drop_fine_relief(found, lengths, relief_density);       // not before: what goes is no fillet either
+    // Not before: what goes is no fillet either.
+    if (is_cad || !kind_.smooth_curves().empty()) drop_fine_relief(found, lengths, relief_density);
     const std::size_t others = found.size();
     found.insert(found.end(), rounded.edges.begin(), rounded.edges.end());
     if (is_cad || rounded.edges.empty() || Feature_graph(mesh_, own_length_, found).is_bent_network())
       result.rounded = std::move(rounded);
     else found.resize(others);
-    for (Index& h : found) h = (std::min)(h, mesh_.opposite(h));
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    make_unique(found);
     return result;
   }
 
@@ -121,6 +123,14 @@ private:
   {
     const double l = std::sqrt(mesh_.squared_edge_length(h)), least = COARSE * target_length;
     return target_length > 0 && l >= least && normals_.doubled_area(h >> 2) >= least * l;
+  }
+
+  // Leaves one half-edge of each edge, sorted.
+  void make_unique(std::vector<Index>& edges) const
+  {
+    for (Index& h : edges) h = (std::min)(h, mesh_.opposite(h));
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   }
 
   // Both are sorted.
@@ -189,7 +199,7 @@ private:
     if (edges.empty() || std::isinf(density) || !(*std::min_element(lengths.begin(), lengths.end()) > 0)) return;
     std::vector<double> densities(edges.size(), 0), shorter = lengths;
     for (int scale = 0; scale < RELIEF_SCALES && !(*std::min_element(densities.begin(), densities.end()) > density); ++scale) {
-      Fine_relief(mesh_, normals_.all(), shorter).raise(densities, edges, density);
+      Fine_relief(mesh_, unfiltered_, shorter).raise(densities, edges, density);
       for (double& l : shorter) l *= RELIEF_RATIO;
     }
     if (!(*std::max_element(densities.begin(), densities.end()) > density)) return;

@@ -95,6 +95,18 @@ public:
   }
   // The same where curves may bend, as along fillets: paths of edges join them where they meet.
   bool is_bent_network() { return look_at_network().is_network; }
+  // Whether hardly anything else is left out when only curves are kept that end nowhere, hardly bend, and seldom meet. Short ones between
+  // others that run on smoothly, and components that are a tangle, are dropped.
+  bool is_smooth_network()
+  {
+    const double length_of_all = length_left();
+    drop_trees();
+    drop_rungs();
+    drop_trees();
+    for (const std::vector<Index>& component : components())
+      if (component.size() < LEAST_EDGES || !is_smooth(component)) drop(component);
+    return length_left() > 0 && length_left() >= LEAST_SMOOTH_SHARE * length_of_all;
+  }
 
   // Takes the edges out of which the density, in the order of adding, is greater than this, and of components that mainly consist of
   // such edges those of half of it. Then what is ragged beside them: from where edges went, on to corners, ends and junctions at a
@@ -172,6 +184,11 @@ private:
   static constexpr double LEAST_STRONG_SHARE = 0.5, LARGEST_BAD_SHARE = 0.25;
   static constexpr double LEAST_NETWORK_SHARE = 0.7, LARGEST_BENT_SHARE = 0.2, LARGEST_MEETING_SHARE = 0.4,
                           LARGEST_UNEVEN_SHARE = 0.33;
+  // Of a network, what is part of smooth curves; of the vertices of such, those of two edges where these turn, and those of more, of which
+  // none has more than so many. Rungs between two curves have at most so many edges.
+  static constexpr double LEAST_SMOOTH_SHARE = 0.9, SMOOTH_BENT_SHARE = 0.02, SMOOTH_MEETING_SHARE = 0.2;
+  static constexpr int MOST_SMOOTH_DEGREE = 4;
+  static constexpr std::size_t LONGEST_RUNG = 3;
   static constexpr double PARALLEL_DISTANCE = 0.35, PARALLEL_SHARE = 0.25;
   static constexpr double ALONG = 3;                   // so many distances apart along it, parts of a chain count as two
   static constexpr double JUNCTION_RADIUS = 1.5;       // in such distances, within which chains that meet are near each other
@@ -238,6 +255,9 @@ private:
   void follow(Index e, int side, Chain& chain, std::vector<char>& is_passed) const;
   void drop_dangling_chains(double least_angle);
   void drop_trees();
+  void drop_rungs();
+  bool runs_on(Index v, const std::vector<Index>& chain) const;
+  bool is_smooth(const std::vector<Index>& component) const;
   std::vector<Index> edges_up_to_corner(Index v, Index first, double distance) const;
   bool is_fit(const std::vector<Index>& component) const;
   int free_ends(const std::vector<Index>& component) const;
@@ -394,6 +414,45 @@ inline void Feature_graph::drop_trees()
       ends.push_back(other_end(e, v));
     });
   }
+}
+
+// Drops short chains both of whose ends lie on other curves that run on there.
+inline void Feature_graph::drop_rungs()
+{
+  for (const Chain& chain : chains())
+    if (chain.edges.size() <= LONGEST_RUNG && chain.ends[0] >= 0 && chain.ends[1] >= 0 && runs_on(chain.ends[0], chain.edges) &&
+        runs_on(chain.ends[1], chain.edges)) drop(chain.edges);
+}
+
+// Whether two edges at v that are not among these continue each other; where there are many, they are a tangle.
+inline bool Feature_graph::runs_on(Index v, const std::vector<Index>& chain) const
+{
+  constexpr int MANY = 10;
+  if (degree(v) >= MANY) return false;
+  std::vector<Vector3> directions;
+  for_each_incident(v, [&](Index e) {
+    if (std::find(chain.begin(), chain.end(), e) == chain.end()) directions.push_back(position(other_end(e, v)) - position(v));
+  });
+  for (auto d = directions.begin(); d != directions.end(); ++d)
+    if (std::any_of(d + 1, directions.end(), [&](const Vector3& other) { return is_cosine_at_least(*d, -1. * other, CORNER_COSINE); }))
+      return true;
+  return false;
+}
+
+inline bool Feature_graph::is_smooth(const std::vector<Index>& component) const
+{
+  std::vector<Index> vertices;
+  for (const Index e : component) vertices.insert(vertices.end(), edges_[e].ends.begin(), edges_[e].ends.end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::size_t bent = 0, others = 0;
+  for (const Index v : vertices) {
+    if (degree(v) > MOST_SMOOTH_DEGREE) return false;
+    if (degree(v) != 2) ++others;
+    else bent += bends(v);
+  }
+  return double(bent) <= SMOOTH_BENT_SHARE * double(vertices.size() - others) &&
+         double(others) <= SMOOTH_MEETING_SHARE * double(vertices.size());
 }
 
 // Whether v is not the middle of a smooth curve.

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -30,7 +29,8 @@ namespace internal {
 // has grown have few. Alpha wraps of parts have jagged chamfers instead of sharp edges: each of their rims as a curve of its
 // own would be more than edges of the length of these can follow. Marching cubes around what is marked in a volume leave the stairs of
 // its voxels, whose edges tell nothing about the object. What has grown and is as flat as a leaf has sharp edges at its rim, too, and flat
-// ones elsewhere; but the sharp ones are a tangle, and over them the surface turns back.
+// ones elsewhere; but the sharp ones are a tangle, and over them the surface turns back. What is twisted, or a panel with noise, has sharp
+// edges along smooth curves, and between these no flat ones.
 class Model_kind
 {
   using Index = Remeshing_mesh::Index;
@@ -55,6 +55,8 @@ class Model_kind
   static constexpr double LOOSE_SHARE = 0.005, TANGLE_SHARE = 0.1, TURNING_ANGLE = 120, TURNING_SHARE = 0.15;
   // Edges of at least this angle are creases where they make up this part of the length of all edges.
   static constexpr double CREASE_ANGLE = 70, CREASE_SHARE = 0.05;
+  // Smooth curves of creases are those of a part from so many roots of the area on: the rim of a hemisphere has two.
+  static constexpr double LONG_CURVES = 2.5;
   // The part of the sharp edges of stairs of voxels that are rims of chamfers; voxels themselves have none. Where more than so many are
   // rims of thin walls, and so many turn to and fro, noise was marked: faces that do without its edges would cross each other. The edges
   // of vessels about as thick as a slice do not turn to and fro.
@@ -78,6 +80,9 @@ public:
   bool has_jagged_chamfers() const { return has_jagged_chamfers_; }
   // Whether its sharp edges are those of the stairs that marching cubes leave. It is no CAD model then.
   bool has_voxel_stairs() const { return has_voxel_stairs_; }
+  // Of a model that is no CAD model, the sharp edges if nearly all of them are creases along smooth curves that end nowhere, and without
+  // the others: between those of a twisted bar the edges of the facets are anything but flat. Sorted.
+  const std::vector<Index>& smooth_curves() const { return smooth_curves_; }
   // One half-edge of each edge of LEAST_ANGLE and more; of those of at least this angle among them.
   const std::vector<Index>& sharp_edges() const { return sharp_edges_; }
   std::vector<Index> sharp_edges(double degrees) const
@@ -121,7 +126,9 @@ private:
     has_jagged_chamfers_ = is_cad_ && !has_voxel_stairs_ && chamfers.are_there(own_length_) &&
                            (saddle_excess() > 0 || !chamfers.may_be_remeshed());
     is_cad_ = is_cad_ && !has_voxel_stairs_ && !has_jagged_chamfers_;
-    if (!is_cad_ && !has_voxel_stairs_) find_creases(lengths.all);
+    if (is_cad_ || has_voxel_stairs_) return;
+    find_creases(lengths.all);
+    if (!has_jagged_chamfers_) find_smooth_curves(candidates);
   }
 
   // The lengths of all edges, of sharp ones, of those of them over which the surface turns back, of those in between, and of these where
@@ -175,6 +182,24 @@ private:
     if (length < CREASE_SHARE * length_of_all || are_of_noise()) creases_.clear();
   }
 
+  // Those of each part are as sharp and as long together.
+  void find_smooth_curves(const std::vector<Index>& edges)
+  {
+    Feature_graph graph(mesh_, own_length_, edges);
+    if (are_of_noise() || !graph.is_smooth_network()) return;
+    const Parts parts = find_parts();
+    std::vector<double> length(parts.area.size(), 0), turns(parts.area.size(), 0);      // by part
+    for (const Index h : graph.edges()) {
+      const double l = std::sqrt(mesh_.squared_edge_length(h));
+      length[parts.part[h >> 2]] += l;
+      turns[parts.part[h >> 2]] += l * normals_.angle(h);
+    }
+    for (const Index h : graph.edges()) {
+      const Index k = parts.part[h >> 2];
+      if (turns[k] >= CREASE_ANGLE * length[k] && length[k] >= LONG_CURVES * std::sqrt(parts.area[k])) smooth_curves_.push_back(h);
+    }
+  }
+
   bool are_stairs(const Jagged_chamfers& chamfers) const
   {
     const double share = chamfers.chamfer_share();
@@ -183,17 +208,25 @@ private:
            (is_cad_ && share >= SIMPLIFIED_CHAMFERS && chamfers.jagged_share() >= SIMPLIFIED_JAGS);
   }
 
-  // By face, the area of all that hangs together with it.
-  std::vector<double> areas_of_parts() const
+  // What hangs together.
+  struct Parts
   {
-    std::vector<double> result(mesh_.number_of_face_slots());
-    std::vector<Index> number(result.size(), -1);
-    for (Index first = 0; first < Index(result.size()); ++first) {
+    std::vector<Index> part;             // by face
+    std::vector<double> area;            // by part
+  };
+  Parts find_parts() const
+  {
+    Parts result;
+    std::vector<Index> number(mesh_.number_of_face_slots(), -1);
+    result.part.resize(number.size());
+    for (Index first = 0; first < Index(number.size()); ++first) {
       if (number[first] >= 0) continue;
-      const std::vector<Index> part = component_of(mesh_, first, number);
-      const double area = std::accumulate(part.begin(), part.end(), 0., [&](double sum, Index f) {
-        return sum + normals_.doubled_areas()[f] / 2; });
-      for (const Index f : part) result[f] = area;
+      double area = 0;
+      for (const Index f : component_of(mesh_, first, number)) {
+        result.part[f] = Index(result.area.size());
+        area += normals_.doubled_areas()[f] / 2;
+      }
+      result.area.push_back(area);
     }
     return result;
   }
@@ -201,10 +234,10 @@ private:
   // The length of these edges in components that are long beside the edges of the mesh, or beside the part that they are on.
   double length_in_long_components(const std::vector<Index>& edges) const
   {
-    const std::vector<double> areas = areas_of_parts();
+    const Parts parts = find_parts();
     Feature_graph graph(mesh_, own_length_, edges);
     graph.drop_components_shorter_than([&](Index h) {
-      return (std::min)(LONG_COMPONENT, LONG_PART * std::sqrt(areas[h >> 2]) / own_length_); }, LONG_RING);
+      return (std::min)(LONG_COMPONENT, LONG_PART * std::sqrt(parts.area[parts.part[h >> 2]]) / own_length_); }, LONG_RING);
     double sum = 0;
     for (const Index h : graph.edges()) sum += std::sqrt(mesh_.squared_edge_length(h));
     return sum;
@@ -249,7 +282,7 @@ private:
   double own_length_;
   bool is_cad_ = false, has_jagged_chamfers_ = false, has_voxel_stairs_ = false;
   std::size_t sharp_vertices_ = 0, free_ends_ = 0, junctions_ = 0, saddles_ = 0;       // of edges of CAD_ANGLE
-  std::vector<Index> sharp_edges_, creases_;
+  std::vector<Index> sharp_edges_, creases_, smooth_curves_;
 };
 
 } // namespace internal

@@ -16,7 +16,7 @@
 #include <vector>
 
 // A scene may hold a machine part beside something that has grown: all in all no CAD model, and the part's few edges go under among the
-// others. Each of its components that is one on its own keeps its features, and its facets.
+// others. Each of its components that is one on its own keeps its features, and its facets; one with smooth curves these.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -37,7 +37,7 @@ public:
     : mesh_(mesh), face_in_part_(mesh.number_of_face_slots(), -1), vertex_in_part_(mesh.number_of_vertex_slots(), -1)
   {}
 
-  // Those of the components that are CAD models and large enough; none where all faces hang together.
+  // Those of the components that are CAD models, or have smooth curves, and are large enough; none where all faces hang together.
   // `find(detector, lengths)` tells the features of one, the target lengths by face being `lengths`; details shorter than `length` or
   // than the edges of the component are none.
   template <class Find>
@@ -53,9 +53,10 @@ public:
       for (const Index f : faces) lengths_in_part.push_back(lengths[f]);
       if (!is_large(part, *std::max_element(lengths_in_part.begin(), lengths_in_part.end()))) continue;
       Feature_detector detector(part, length);
-      if (!detector.kind().is_cad()) continue;
+      const Model_kind& kind = detector.kind();
+      if (!kind.is_cad() && kind.smooth_curves().empty()) continue;
       for (const Index h : find(detector, lengths_in_part)) result.edges.push_back(4 * faces[h >> 2] + (h & 3));
-      result.faces.insert(result.faces.end(), faces.begin(), faces.end());
+      if (kind.is_cad()) result.faces.insert(result.faces.end(), faces.begin(), faces.end());
     }
     return result;
   }
@@ -102,7 +103,7 @@ private:
 };
 
 // What `find(detector, lengths)` finds in the mesh of the detector, and, where that is no CAD model, in each of its components that is
-// one, alone, beside the former; the edges are sorted.
+// one, or has smooth curves, alone, beside the former; the edges are sorted.
 template <class Find>
 Features_with_parts features_with_parts(const Remeshing_mesh& mesh, Feature_detector& detector, double length,
                                         const std::vector<double>& lengths, const Find& find)
