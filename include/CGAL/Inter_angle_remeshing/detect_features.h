@@ -69,9 +69,9 @@ is the mean edge's; of what is found, features are what passes for `scale`, too,
 
 Between the sharp edges of a twisted bar, or around a noisy panel, hardly any edge is flat. Where 90% of the length of all edges of 40
 degrees and more are such curves, these are features, too, but for one side of a narrow strip, as above. They lead to no free end; of
-the vertices of those that hang together, at most 2% of those between two edges bend by more than 45 degrees, at most a fifth are the ends
-of more edges, and none of more than four; and those of a part have 70 degrees on the average, and 2.5 times the root of the part's area
-as length. Those of three edges and less between two others that run on smoothly do not count, nor does anything in noise.
+the vertices of those that hang together, twelve edges at least, at most 2% of those between two edges bend by more than 45 degrees, at
+most a fifth are the ends of more edges, and none of more than four; and those of a part have 70 degrees on the average, and 2.5 times
+the root of the part's area as length. Those of three edges and less between two others that run on smoothly do not count, nor does anything in noise.
 
 Parts that are planar within half a degree, of at least 10 faces and the area of a square of the mean edge of their rim, nothing has that
 has grown: there a model was cut, or given a base. If half of the rim of such a part has 60 degrees and more, all its edges of
@@ -118,9 +118,10 @@ those of a relief, as the stairs of voxels, threads, knurls, or the layers of a 
 high over the edge, and the cube of two `scale` around it has more than five `scale` of ridges and as much of grooves
 (Recipe::relief_density); these are at most 0.4 `scale` apart in height, by their centres along the mean normal of the faces beside
 them, and the normals agree so far that their sum is more than half as long as all of them. Thin bars and plates, whose sides face away
-from each other, and the teeth of a gear, which are higher, are kept. In components of features most of which are such edges, half of that density will do;
-and with them goes what is ragged beside them: what leads on to a corner within 1.5 `scale`, and on from there where a fifth of the
-component is such edges, and chains that end after three; but no edge of `scale` and more between faces as high over it.
+from each other, and the teeth of a gear, which are higher, are kept. In components of features most of which are such edges, half
+of that density will do; and with them goes what is ragged beside them: what leads on to a corner within 1.5 `scale`, and on from
+there where a fifth of the component is such edges, and chains that end after three; but no edge of `scale` and more between faces
+as high over it.
 What is a relief by this rule with a shorter length in place of `scale`, 0.7, 0.7², ... 0.7⁸ of it, is one, too: it is as well too fine
 for `scale`, whose cube may hold a small part as a whole.
 
