@@ -2230,6 +2230,25 @@ void thin_plates_keep_both_edges_of_their_rims()
   CHECK(found_features(scene).size() == edges_of_bar && found_features(scene, .2).size() == edges_of_bar);
 }
 
+// A crease close to the border is the side of a narrow strip, too: between both there is room for needles only.
+void creases_close_to_the_border_are_no_features()
+{
+  constexpr std::size_t N = 8;
+  constexpr double WIDTH = .01;
+  meshes::Soup soup = meshes::square(N);
+  for(auto& [x, y, z] : soup.points)
+    if(y == 0)
+    {
+      y = 1. / N - .5 * WIDTH;
+      z = WIDTH * std::sqrt(.75);
+    }
+  const Mesh input = meshes::to_mesh<Mesh>(soup);
+  CHECK(found_features(input, .1).size() == N && found_features(input, .25).empty());
+  Mesh m = input;
+  IAR::isotropic_remeshing(.25, m);
+  CHECK_MESSAGE(number_of_needles(m) == 0, number_of_needles(m));
+}
+
 // Whether the edges of a part are long is a question of that part, however many there are beside it. Of 400 tetrahedra none had a feature,
 // and volumes fell to .76.
 void parts_keep_their_edges_in_any_company()
@@ -3093,6 +3112,7 @@ int main()
   the_sides_of_a_staircase_stay();
   the_sides_of_a_staircase_stay_beside_longer_edges();
   thin_plates_keep_both_edges_of_their_rims();
+  creases_close_to_the_border_are_no_features();
   parts_keep_their_edges_in_any_company();
   organic_models_have_next_to_none();
   rims_of_cuts_are_features();

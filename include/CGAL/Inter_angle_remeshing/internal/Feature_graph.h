@@ -137,9 +137,9 @@ public:
     drop_short_components(2 * DANGLING_LENGTH);
   }
 
-  // Where two chains are the sides of a strip of faces that is narrower than this, the weaker one goes: no good triangles fit in
-  // between. Not at the rim of a plate, where the surface turns back; nor if the strip is no narrower than `certain_width`, and a strip
-  // narrower than `width` lies on the other side of that chain, too, as around a slender bar.
+  // Where two chains are the sides of a strip of faces that is narrower than this, the weaker one goes, and so does one along such a strip
+  // to the border: no good triangles fit in between. Not at the rim of a plate, where the surface turns back; nor if the strip is no
+  // narrower than `certain_width`, and a strip narrower than `width` lies on the other side of that chain, too, as around a slender bar.
   void drop_sides_of_strips(double width, double certain_width);
 
 private:
@@ -603,7 +603,8 @@ inline void Feature_graph::drop_sides_of_strips(double width, double certain_wid
   std::vector<Index> chain_of(edges_.size(), -1);
   for (std::size_t i = 0; i < strongest_first.size(); ++i)
     for (const Index e : strongest_first[i].edges) chain_of[e] = Index(i);
-  const auto is_strip = [&](Index h) { return h >= 0 && number_[mesh_.apex(h)] >= 0 && mesh_.altitude(h) < width; };
+  const auto is_low = [&](Index h) { return h >= 0 && mesh_.altitude(h) < width; };
+  const auto is_strip = [&](Index h) { return is_low(h) && number_[mesh_.apex(h)] >= 0; };
   // A low face of a flat may lie between edges of the same chain.
   const auto is_strip_to_other_chain = [&](Index edge, Index h) {
     if (!is_strip(h)) return false;
@@ -612,6 +613,7 @@ inline void Feature_graph::drop_sides_of_strips(double width, double certain_wid
   };
   const auto is_beside = [&](Index edge, Index h) {
     const Edge& e = edges_[edge];
+    if (is_low(h) && mesh_.is_border_vertex(mesh_.apex(h))) return true;
     if (!is_strip(h) || (mesh_.altitude(h) >= certain_width && is_strip_to_other_chain(edge, mesh_.opposite(h)))) return false;
     const double angle = accepted[number_[mesh_.apex(h)]];
     return angle > 0 && angle + e.angle < MOST_TURN;
