@@ -52,11 +52,11 @@ What has grown and is as flat as a leaf is none, either: of the vertices of edge
 degrees and more.
 On a CAD model every edge of 40 degrees and more is a feature. But where two chains of them are the sides of a strip, one face
 across and narrower than a twentieth of the length, over which the surface turns by less than 120 degrees, as at a small bevel, only
-the sharper one is; unless such a strip lies on the other side of the weaker one, too, and that between both is at least a twentieth of
-`scale` wide, as around a slender bar. A chain along such a strip to the border is none. A face that is ten times as long as high, with a dihedral angle of 150 degrees and more at one of
-its edges, is a sliver folded onto its neighbor: it counts as if it looked as the face at its longest edge does; unless it goes on, by less
-than 40 degrees, to others, more than 64 of them or all with more than a twentieth of the square of their longest edge as area, as beside
-a knife's edge.
+the sharper one is; unless such a strip lies on the other side of the weaker one, too, and that between both is at least a twentieth
+of `scale` wide, as around a slender bar. A chain along such a strip to the border is none. A face that is ten times as long as
+high, with a dihedral angle of 150 degrees and more at one of its edges, is a sliver folded onto its neighbor: it counts as if it
+looked as the face at its longest edge does; unless it goes on, by less than 40 degrees, to others, more than 64 of them or all with
+more than a twentieth of the square of their longest edge as area, as beside a knife's edge.
 
 If not, it is an organic model or a noisy one. Each of its components, faces that hang together by edges, that is a CAD model by these
 rules on its own, and has an area of at least 24 squares of `scale`, or of the mean edge without one, has the features of one, all the same.
@@ -67,11 +67,12 @@ at least 12 edges and five lengths, and of 40 for each end that leads nowhere; h
 more; of two chains side by side the sharper one stays, and one that runs beside itself, as around a slit, does not. The length
 is the mean edge's; of what is found, features are what passes for `scale`, too, where that is longer.
 
-Between the sharp edges of a twisted bar, or around a noisy panel, hardly any edge is flat. Where 90% of the length of all edges of 40
-degrees and more are such curves, these are features, too, but for one side of a narrow strip, as above. They lead to no free end; of
-the vertices of those that hang together, twelve edges at least, at most 2% of those between two edges bend by more than 45 degrees, at
-most a fifth are the ends of more edges, and none of more than four; and those of a part have 70 degrees on the average, and 2.5 times
-the root of the part's area as length. Those of three edges and less between two others that run on smoothly do not count, nor does anything in noise.
+Between the sharp edges of a twisted bar, or around a noisy panel, hardly any edge is flat. Where 90% of the length of all edges of
+40 degrees and more are such curves, these are features, too, but for one side of a narrow strip, as above. They lead to no free
+end; of the vertices of those that hang together, twelve edges at least, at most 2% of those between two edges bend by more than 45
+degrees, at most a fifth are the ends of more edges, and none of more than four; and those of a part have 70 degrees on the average,
+and 2.5 times the root of the part's area as length. Those of three edges and less between two others that run on smoothly do not
+count, nor does anything in noise.
 
 Parts that are planar within half a degree, of at least 10 faces and the area of a square of the mean edge of their rim, nothing has that
 has grown: there a model was cut, or given a base. If half of the rim of such a part has 60 degrees and more, all its edges of
