@@ -257,6 +257,7 @@ private:
   void drop_trees();
   void drop_rungs();
   bool runs_on(Index v, const std::vector<Index>& chain) const;
+  std::vector<Index> vertices_of(const std::vector<Index>& edges) const;
   bool is_smooth(const std::vector<Index>& component) const;
   std::vector<Index> edges_up_to_corner(Index v, Index first, double distance) const;
   bool is_fit(const std::vector<Index>& component) const;
@@ -424,6 +425,16 @@ inline void Feature_graph::drop_rungs()
         runs_on(chain.ends[1], chain.edges)) drop(chain.edges);
 }
 
+// Each once.
+inline std::vector<Feature_graph::Index> Feature_graph::vertices_of(const std::vector<Index>& edges) const
+{
+  std::vector<Index> vertices;
+  for (const Index e : edges) vertices.insert(vertices.end(), edges_[e].ends.begin(), edges_[e].ends.end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
 // Whether two edges at v that are not among these continue each other; where there are many, they are a tangle.
 inline bool Feature_graph::runs_on(Index v, const std::vector<Index>& chain) const
 {
@@ -439,12 +450,10 @@ inline bool Feature_graph::runs_on(Index v, const std::vector<Index>& chain) con
   return false;
 }
 
+// Whether the curves of a component hardly bend, and seldom meet, nowhere more than two.
 inline bool Feature_graph::is_smooth(const std::vector<Index>& component) const
 {
-  std::vector<Index> vertices;
-  for (const Index e : component) vertices.insert(vertices.end(), edges_[e].ends.begin(), edges_[e].ends.end());
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const std::vector<Index> vertices = vertices_of(component);
   std::size_t bent = 0, others = 0;
   for (const Index v : vertices) {
     if (degree(v) > MOST_SMOOTH_DEGREE) return false;
@@ -469,13 +478,9 @@ inline bool Feature_graph::is_fit(const std::vector<Index>& component) const
 {
   const double l = length_of(component);
   double strong = 0;
-  std::vector<Index> vertices;
-  for (const Index e : component) {
+  for (const Index e : component)
     if (edges_[e].angle >= STRONG_ANGLE) strong += edges_[e].length;
-    vertices.insert(vertices.end(), edges_[e].ends.begin(), edges_[e].ends.end());
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const std::vector<Index> vertices = vertices_of(component);
   const auto bad = std::count_if(vertices.begin(), vertices.end(), [&](Index v) { return bends(v); });
   return strong >= LEAST_STRONG_SHARE * l &&
          double(bad) <= LARGEST_BAD_SHARE * double(vertices.size());

@@ -187,14 +187,15 @@ private:
   {
     Feature_graph graph(mesh_, own_length_, edges);
     if (are_of_noise() || !graph.is_smooth_network()) return;
+    const std::vector<Index> curves = graph.edges();
     const Parts parts = find_parts();
     std::vector<double> length(parts.area.size(), 0), turns(parts.area.size(), 0);      // by part
-    for (const Index h : graph.edges()) {
+    for (const Index h : curves) {
       const double l = std::sqrt(mesh_.squared_edge_length(h));
       length[parts.part[h >> 2]] += l;
       turns[parts.part[h >> 2]] += l * normals_.angle(h);
     }
-    for (const Index h : graph.edges()) {
+    for (const Index h : curves) {
       const Index k = parts.part[h >> 2];
       if (turns[k] >= CREASE_ANGLE * length[k] && length[k] >= LONG_CURVES * std::sqrt(parts.area[k])) smooth_curves_.push_back(h);
     }
