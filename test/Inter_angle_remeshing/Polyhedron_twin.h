@@ -7,7 +7,7 @@
 // A Polyhedron_3 that is a copy of a Surface_mesh, with copies of the property maps of a call: the call on the one must come to
 // the same as on the other.
 
-#include <CGAL/Inter_angle_remeshing/internal/named_parameters.h>
+#include <CGAL/Inter_angle_remeshing/internal/arguments/named_parameters.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 
 #include <CGAL/Polyhedron_3.h>

@@ -10,9 +10,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <CGAL/Inter_angle_remeshing/internal/collapse_pass.h>
-#include <CGAL/Inter_angle_remeshing/internal/corners.h>
-#include <CGAL/Inter_angle_remeshing/internal/crossings.h>
+#include <CGAL/Inter_angle_remeshing/internal/curves/corners.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/crossings.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/collapse_pass.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>

@@ -7,10 +7,10 @@
 #include <CGAL/Inter_angle_remeshing/Projection/Closest_point_projector.h>
 #include <CGAL/Inter_angle_remeshing/Projection/MLS_projector.h>
 #include <CGAL/Inter_angle_remeshing/detect_features.h>
-#include <CGAL/Inter_angle_remeshing/internal/Feature_graph.h>
-#include <CGAL/Inter_angle_remeshing/internal/angle_energy.h>
-#include <CGAL/Inter_angle_remeshing/internal/corners.h>
-#include <CGAL/Inter_angle_remeshing/internal/whole_surface.h>
+#include <CGAL/Inter_angle_remeshing/internal/curves/corners.h>
+#include <CGAL/Inter_angle_remeshing/internal/exchange/whole_surface.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/Feature_graph.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/angle_energy.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 #include <CGAL/Inter_angle_remeshing/triangle_quality.h>
 

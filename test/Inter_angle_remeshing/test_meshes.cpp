@@ -9,9 +9,9 @@
 #include "invariants.h"
 
 #include <CGAL/Inter_angle_remeshing/Projection/Closest_point_projector.h>
-#include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
-#include <CGAL/Inter_angle_remeshing/internal/regular_valence.h>
-#include <CGAL/Inter_angle_remeshing/internal/whole_surface.h>
+#include <CGAL/Inter_angle_remeshing/internal/exchange/whole_surface.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/crossing_faces.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/regular_valence.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 #include <CGAL/Inter_angle_remeshing/triangle_quality.h>
 

@@ -6,8 +6,8 @@
 #define CGAL_INTER_ANGLE_REMESHING_ATTRIBUTE_TRANSFER_H
 
 #include <CGAL/Inter_angle_remeshing/Default_visitor.h>
-#include <CGAL/Inter_angle_remeshing/internal/Quadratic_weights.h>
-#include <CGAL/Inter_angle_remeshing/internal/linear_combination.h>
+#include <CGAL/Inter_angle_remeshing/internal/geometry/linear_combination.h>
+#include <CGAL/Inter_angle_remeshing/internal/surface/Quadratic_weights.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>

@@ -5,10 +5,10 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_CURVATURE_SIZING_FIELD_H
 #define CGAL_INTER_ANGLE_REMESHING_CURVATURE_SIZING_FIELD_H
 
-#include <CGAL/Inter_angle_remeshing/internal/curvature_lengths.h>
-#include <CGAL/Inter_angle_remeshing/internal/constraints.h>
-#include <CGAL/Inter_angle_remeshing/internal/feature_detection.h>
-#include <CGAL/Inter_angle_remeshing/internal/flat_copy.h>
+#include <CGAL/Inter_angle_remeshing/internal/exchange/constraints.h>
+#include <CGAL/Inter_angle_remeshing/internal/exchange/flat_copy.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/feature_detection.h>
+#include <CGAL/Inter_angle_remeshing/internal/sizing/curvature_lengths.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

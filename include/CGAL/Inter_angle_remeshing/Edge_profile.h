@@ -5,7 +5,7 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_EDGE_PROFILE_H
 #define CGAL_INTER_ANGLE_REMESHING_EDGE_PROFILE_H
 
-#include <CGAL/Inter_angle_remeshing/internal/to_vector3.h>
+#include <CGAL/Inter_angle_remeshing/internal/geometry/to_vector3.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>

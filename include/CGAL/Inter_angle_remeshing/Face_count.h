@@ -5,7 +5,7 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_FACE_COUNT_H
 #define CGAL_INTER_ANGLE_REMESHING_FACE_COUNT_H
 
-#include <CGAL/Inter_angle_remeshing/internal/refuse.h>
+#include <CGAL/Inter_angle_remeshing/internal/arguments/refuse.h>
 
 #include <cstddef>
 #include <type_traits>

@@ -20,10 +20,10 @@ file that includes nothing but this header compiles them once, with the same opt
 #endif
 
 #include <CGAL/Inter_angle_remeshing/internal/Remesher.h>
-#include <CGAL/Inter_angle_remeshing/internal/feature_detection_impl.h>
-#include <CGAL/Inter_angle_remeshing/internal/input_kind_impl.h>
-#include <CGAL/Inter_angle_remeshing/internal/paper_surface_impl.h>
-#include <CGAL/Inter_angle_remeshing/internal/settle_corners_impl.h>
+#include <CGAL/Inter_angle_remeshing/internal/curves/settle_corners_impl.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/feature_detection_impl.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/input_kind_impl.h>
+#include <CGAL/Inter_angle_remeshing/internal/surface/paper_surface_impl.h>
 
 #include <CGAL/tags.h>
 

@@ -6,9 +6,9 @@
 #define CGAL_INTER_ANGLE_REMESHING_DETECT_FEATURES_H
 
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
-#include <CGAL/Inter_angle_remeshing/internal/feature_detection.h>
-#include <CGAL/Inter_angle_remeshing/internal/flat_copy.h>
-#include <CGAL/Inter_angle_remeshing/internal/refuse.h>
+#include <CGAL/Inter_angle_remeshing/internal/arguments/refuse.h>
+#include <CGAL/Inter_angle_remeshing/internal/exchange/flat_copy.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/feature_detection.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

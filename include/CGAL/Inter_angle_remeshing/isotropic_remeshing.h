@@ -16,7 +16,7 @@
 #include <CGAL/Inter_angle_remeshing/Policies/Inter_angle_split_policy.h>
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
 #include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
-#include <CGAL/Inter_angle_remeshing/internal/Argument_check.h>
+#include <CGAL/Inter_angle_remeshing/internal/arguments/Argument_check.h>
 #include <CGAL/Inter_angle_remeshing/internal/remesh_by_parameters.h>
 #include <CGAL/Inter_angle_remeshing/target_edge_length.h>
 

@@ -5,10 +5,10 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_SURFACE_DISTANCE_H
 #define CGAL_INTER_ANGLE_REMESHING_SURFACE_DISTANCE_H
 
+#include <CGAL/Inter_angle_remeshing/internal/arguments/refuse.h>
 #include <CGAL/Inter_angle_remeshing/internal/measures/Normalized_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/measures/one_sided_distance.h>
 #include <CGAL/Inter_angle_remeshing/internal/measures/surface_samples.h>
-#include <CGAL/Inter_angle_remeshing/internal/refuse.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -5,8 +5,8 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_TARGET_EDGE_LENGTH_H
 #define CGAL_INTER_ANGLE_REMESHING_TARGET_EDGE_LENGTH_H
 
-#include <CGAL/Inter_angle_remeshing/internal/cross_products.h>
-#include <CGAL/Inter_angle_remeshing/internal/flat_copy.h>
+#include <CGAL/Inter_angle_remeshing/internal/exchange/flat_copy.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/cross_products.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -5,8 +5,8 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_PROJECTION_MLS_PROJECTOR_H
 #define CGAL_INTER_ANGLE_REMESHING_PROJECTION_MLS_PROJECTOR_H
 
-#include <CGAL/Inter_angle_remeshing/internal/Mls_reference.h>
-#include <CGAL/Inter_angle_remeshing/internal/whole_surface.h>
+#include <CGAL/Inter_angle_remeshing/internal/exchange/whole_surface.h>
+#include <CGAL/Inter_angle_remeshing/internal/surface/Mls_reference.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Named_function_parameters.h>

@@ -5,11 +5,11 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_PROJECTION_POINT_SET_MLS_PROJECTOR_H
 #define CGAL_INTER_ANGLE_REMESHING_PROJECTION_POINT_SET_MLS_PROJECTOR_H
 
-#include <CGAL/Inter_angle_remeshing/internal/Sample_tree.h>
-#include <CGAL/Inter_angle_remeshing/internal/Vector3.h>
-#include <CGAL/Inter_angle_remeshing/internal/power_of_two_unit.h>
-#include <CGAL/Inter_angle_remeshing/internal/refuse.h>
-#include <CGAL/Inter_angle_remeshing/internal/to_vector3.h>
+#include <CGAL/Inter_angle_remeshing/internal/arguments/refuse.h>
+#include <CGAL/Inter_angle_remeshing/internal/geometry/Sample_tree.h>
+#include <CGAL/Inter_angle_remeshing/internal/geometry/Vector3.h>
+#include <CGAL/Inter_angle_remeshing/internal/geometry/power_of_two_unit.h>
+#include <CGAL/Inter_angle_remeshing/internal/geometry/to_vector3.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>

@@ -10,9 +10,9 @@
 #include <CGAL/Inter_angle_remeshing/internal/Pass_runner.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/Run_clock.h>
-#include <CGAL/Inter_angle_remeshing/internal/curve_edges.h>
-#include <CGAL/Inter_angle_remeshing/internal/lost_surface.h>
-#include <CGAL/Inter_angle_remeshing/internal/repair_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/curves/curve_edges.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/lost_surface.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/repair_pass.h>
 
 #include <cmath>
 #include <cstddef>

@@ -6,7 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_EDGE_RULE_H
 
 #include <CGAL/Inter_angle_remeshing/Edge_profile.h>
-#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh_graph.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh_graph.h>
 
 #include <functional>
 #include <utility>

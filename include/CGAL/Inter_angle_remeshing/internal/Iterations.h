@@ -12,10 +12,10 @@
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/Run_clock.h>
 #include <CGAL/Inter_angle_remeshing/internal/Schedule.h>
-#include <CGAL/Inter_angle_remeshing/internal/angle_bands.h>
-#include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
-#include <CGAL/Inter_angle_remeshing/internal/skew_grid.h>
-#include <CGAL/Inter_angle_remeshing/internal/space_filling_order.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/edge_lengths.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/space_filling_order.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/angle_bands.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/skew_grid.h>
 
 #include <algorithm>
 #include <cmath>

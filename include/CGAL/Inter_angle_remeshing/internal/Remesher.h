@@ -7,20 +7,20 @@
 
 #include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
 #include <CGAL/Inter_angle_remeshing/internal/Clean_up.h>
-#include <CGAL/Inter_angle_remeshing/internal/Faults.h>
 #include <CGAL/Inter_angle_remeshing/internal/Iterations.h>
 #include <CGAL/Inter_angle_remeshing/internal/Pass_runner.h>
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/Run_clock.h>
-#include <CGAL/Inter_angle_remeshing/internal/angle_bands.h>
-#include <CGAL/Inter_angle_remeshing/internal/angle_summary.h>
-#include <CGAL/Inter_angle_remeshing/internal/bent_vertices.h>
-#include <CGAL/Inter_angle_remeshing/internal/coarse_levels.h>
-#include <CGAL/Inter_angle_remeshing/internal/crossing_faces.h>
-#include <CGAL/Inter_angle_remeshing/internal/curve_edges.h>
-#include <CGAL/Inter_angle_remeshing/internal/projection_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/curves/curve_edges.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/angle_summary.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/crossing_faces.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/Faults.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/angle_bands.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/bent_vertices.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/coarse_levels.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/projection_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/spot_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/run_passes.h>
-#include <CGAL/Inter_angle_remeshing/internal/spot_pass.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,13 +7,13 @@
 
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
 #include <CGAL/Inter_angle_remeshing/internal/Edge_rule.h>
-#include <CGAL/Inter_angle_remeshing/internal/Input_curves.h>
-#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/Run_visitor.h>
-#include <CGAL/Inter_angle_remeshing/internal/Surroundings.h>
-#include <CGAL/Inter_angle_remeshing/internal/grading.h>
-#include <CGAL/Inter_angle_remeshing/internal/kept_places.h>
-#include <CGAL/Inter_angle_remeshing/internal/projection.h>
+#include <CGAL/Inter_angle_remeshing/internal/curves/Input_curves.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/Surroundings.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/kept_places.h>
+#include <CGAL/Inter_angle_remeshing/internal/sizing/grading.h>
+#include <CGAL/Inter_angle_remeshing/internal/surface/projection.h>
 
 #include <CGAL/number_utils.h>
 

@@ -6,7 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_RUN_VISITOR_H
 
 #include <CGAL/Inter_angle_remeshing/Default_visitor.h>
-#include <CGAL/Inter_angle_remeshing/internal/Remeshing_mesh_graph.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh_graph.h>
 
 #include <cstddef>
 

@@ -7,8 +7,8 @@
 
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
 #include <CGAL/Inter_angle_remeshing/Remeshing_report.h>
-#include <CGAL/Inter_angle_remeshing/internal/default_policies.h>
-#include <CGAL/Inter_angle_remeshing/internal/named_parameters.h>
+#include <CGAL/Inter_angle_remeshing/internal/arguments/default_policies.h>
+#include <CGAL/Inter_angle_remeshing/internal/arguments/named_parameters.h>
 #include <CGAL/Inter_angle_remeshing/internal/remesh_range.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -6,22 +6,22 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_REMESH_RANGE_H
 
 #include <CGAL/Inter_angle_remeshing/Policies/Inter_angle_split_policy.h>
-#include <CGAL/Inter_angle_remeshing/internal/angle_summary.h>
-#include <CGAL/Inter_angle_remeshing/internal/attribute_exchange.h>
-#include <CGAL/Inter_angle_remeshing/internal/check_recipe.h>
-#include <CGAL/Inter_angle_remeshing/internal/constraints.h>
-#include <CGAL/Inter_angle_remeshing/internal/curve_edges.h>
-#include <CGAL/Inter_angle_remeshing/internal/edge_lengths.h>
-#include <CGAL/Inter_angle_remeshing/internal/input_kind.h>
-#include <CGAL/Inter_angle_remeshing/internal/mesh_exchange.h>
-#include <CGAL/Inter_angle_remeshing/internal/projector_traits.h>
-#include <CGAL/Inter_angle_remeshing/internal/referred.h>
-#include <CGAL/Inter_angle_remeshing/internal/refuse.h>
+#include <CGAL/Inter_angle_remeshing/internal/arguments/check_recipe.h>
+#include <CGAL/Inter_angle_remeshing/internal/arguments/projector_traits.h>
+#include <CGAL/Inter_angle_remeshing/internal/arguments/referred.h>
+#include <CGAL/Inter_angle_remeshing/internal/arguments/refuse.h>
+#include <CGAL/Inter_angle_remeshing/internal/arguments/run_with_projector.h>
+#include <CGAL/Inter_angle_remeshing/internal/arguments/target_of_run.h>
+#include <CGAL/Inter_angle_remeshing/internal/curves/curve_edges.h>
+#include <CGAL/Inter_angle_remeshing/internal/curves/settle_corners.h>
+#include <CGAL/Inter_angle_remeshing/internal/exchange/attribute_exchange.h>
+#include <CGAL/Inter_angle_remeshing/internal/exchange/constraints.h>
+#include <CGAL/Inter_angle_remeshing/internal/exchange/mesh_exchange.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/input_kind.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/angle_summary.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/edge_lengths.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/space_filling_order.h>
 #include <CGAL/Inter_angle_remeshing/internal/run_passes.h>
-#include <CGAL/Inter_angle_remeshing/internal/run_with_projector.h>
-#include <CGAL/Inter_angle_remeshing/internal/settle_corners.h>
-#include <CGAL/Inter_angle_remeshing/internal/space_filling_order.h>
-#include <CGAL/Inter_angle_remeshing/internal/target_of_run.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -6,7 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_MEASURES_ONE_SIDED_DISTANCE_H
 
 #include <CGAL/Inter_angle_remeshing/internal/measures/Distance_traits.h>
-#include <CGAL/Inter_angle_remeshing/internal/parallel_blocks.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/parallel_blocks.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,293 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURES_MODEL_KIND_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURES_MODEL_KIND_H
+
+#include <CGAL/Inter_angle_remeshing/internal/features/Face_normals.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/Feature_graph.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/jagged_chamfers.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/voxel_surface.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/mesh_regions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// What the dihedral angles tell about a model.
+//
+// CAD models have sharp edges and flat ones, and few in between; or these are between planar polygons, as on cylinders, cones
+// and other surfaces of revolution of few facets. A few sharp edges beside each other, as around a vertex that is folded over, are
+// no feature of a part. Where round parts are coarse, as after remeshing, many edges are in between: the sharp ones still form
+// a network then. Noise makes saddles of sharp edges everywhere, where two and more ridges meet two and more grooves; parts and what
+// has grown have few. Alpha wraps of parts have jagged chamfers instead of sharp edges: each of their rims as a curve of its
+// own would be more than edges of the length of these can follow. Marching cubes around what is marked in a volume leave the stairs of
+// its voxels, whose edges tell nothing about the object. What has grown and is as flat as a leaf has sharp edges at its rim, too, and flat
+// ones elsewhere; but the sharp ones are a tangle, and over them the surface turns back. What is twisted, or a panel with noise, has sharp
+// edges along smooth curves, and between these no flat ones.
+class Model_kind
+{
+  using Index = Remeshing_mesh::Index;
+
+  // Dihedral angles in degrees.
+  static constexpr double MILD_ANGLE = 12, FLAT_ANGLE = 8;
+  // Sharp edges that hang together are long with so many edge lengths, with this part of the root of the area that hangs together with
+  // them, or as a ring of so many edges, between which there are no sharp ones.
+  static constexpr double LONG_COMPONENT = 8, LONG_PART = 0.25;
+  static constexpr std::size_t LONG_RING = 9;
+  // The edges in between may be so many times as long as sharp ones that form a network.
+  static constexpr double MOST_MILD = 3.5;
+  // Sharp edges are those of noise where so many of their vertices are saddles, and this part of all.
+  static constexpr std::size_t LEAST_SADDLES = 50;
+  static constexpr double NOISE_SHARE = 0.1;
+  // Meshes with fewer of them, or with this part of their vertices, may be clean and coarse.
+  static constexpr std::size_t LEAST_NOISY_SADDLES = 100;
+  static constexpr double CLEAN_SHARE = 0.035;
+  // Sharp edges are those of leaves where, of so many vertices at least, more than these parts are free ends, and free ends or junctions,
+  // and over more than this part of their length the surface turns back.
+  static constexpr std::size_t LEAST_TANGLE = 100;
+  static constexpr double LOOSE_SHARE = 0.005, TANGLE_SHARE = 0.1, TURNING_ANGLE = 120, TURNING_SHARE = 0.15;
+  // Edges of at least this angle are creases where they make up this part of the length of all edges.
+  static constexpr double CREASE_ANGLE = 70, CREASE_SHARE = 0.05;
+  // Smooth curves of creases are those of a part from so many roots of the area on: the rim of a hemisphere has two.
+  static constexpr double LONG_CURVES = 2.5;
+  // The part of the sharp edges of stairs of voxels that are rims of chamfers; voxels themselves have none. Where more than so many are
+  // rims of thin walls, and so many turn to and fro, noise was marked: faces that do without its edges would cross each other. The edges
+  // of vessels about as thick as a slice do not turn to and fro.
+  static constexpr double CHAMFERED_STAIRS = 0.2, THIN_STAIRS = 0.1, NOISY_JAGS = 0.002;
+  // Where simplification has taken the vertices off the grid, so many are rims of chamfers, and so many turn to and fro.
+  static constexpr double SIMPLIFIED_CHAMFERS = 0.6, SIMPLIFIED_JAGS = 0.07;
+
+public:
+  // The angle from which on edges are sharp on CAD models, and on others.
+  static constexpr double CAD_ANGLE = 40, LEAST_ANGLE = 30;
+
+  // `own_length` is the mean edge length.
+  Model_kind(const Face_normals& normals, double own_length)
+    : normals_(normals), mesh_(normals.mesh()), own_length_(own_length)
+  {
+    look_at_edges();
+  }
+
+  bool is_cad() const { return is_cad_; }
+  // Whether it would be a CAD model, had it sharp edges instead of jagged chamfers.
+  bool has_jagged_chamfers() const { return has_jagged_chamfers_; }
+  // Whether its sharp edges are those of the stairs that marching cubes leave. It is no CAD model then.
+  bool has_voxel_stairs() const { return has_voxel_stairs_; }
+  // Of a model that is no CAD model, the sharp edges if nearly all of them are creases along smooth curves that end nowhere, and without
+  // the others: between those of a twisted bar the edges of the facets are anything but flat. Sorted.
+  const std::vector<Index>& smooth_curves() const { return smooth_curves_; }
+  // One half-edge of each edge of LEAST_ANGLE and more; of those of at least this angle among them.
+  const std::vector<Index>& sharp_edges() const { return sharp_edges_; }
+  std::vector<Index> sharp_edges(double degrees) const
+  {
+    const double bound = cosine_of_degrees(degrees);
+    std::vector<Index> found;
+    for (const Index h : sharp_edges_)
+      if (normals_.cosine(h) <= bound) found.push_back(h);
+    return found;
+  }
+  // Of a model that is no CAD model; none where they are few.
+  const std::vector<Index>& creases() const { return creases_; }
+
+  // The part of the vertices that are saddles of sharp edges beyond that of clean models.
+  double saddle_excess() const
+  {
+    const double share = double(saddles_) / double(mesh_.number_of_vertex_slots());
+    return saddles_ < LEAST_NOISY_SADDLES ? 0. : (std::max)(0., share - CLEAN_SHARE);
+  }
+
+private:
+  template <class Function>
+  void for_each_inner_edge(const Function& function) const
+  {
+    for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f)
+      for (Index h = 4 * f; h < 4 * f + 3; ++h)
+        if (mesh_.opposite(h) > h) function(h);
+  }
+
+  // Whether the face of h is part of a planar polygon beyond h.
+  bool is_in_polygon(Index h) const { return normals_.is_planar_at(mesh_.next(h)) || normals_.is_planar_at(mesh_.prev(h)); }
+
+  void look_at_edges()
+  {
+    const Lengths lengths = measure_edges();
+    const std::vector<Index> candidates = sharp_edges(CAD_ANGLE);
+    count_vertices(candidates);
+    is_cad_ = looks_designed(lengths, candidates) && !are_of_leaves(lengths);
+    const Jagged_chamfers chamfers(normals_, candidates);
+    has_voxel_stairs_ = are_stairs(chamfers);
+    has_jagged_chamfers_ = is_cad_ && !has_voxel_stairs_ && chamfers.are_there(own_length_) &&
+                           (saddle_excess() > 0 || !chamfers.may_be_remeshed());
+    is_cad_ = is_cad_ && !has_voxel_stairs_ && !has_jagged_chamfers_;
+    if (is_cad_ || has_voxel_stairs_) return;
+    find_creases(lengths.all);
+    if (!has_jagged_chamfers_) find_smooth_curves(candidates);
+  }
+
+  // The lengths of all edges, of sharp ones, of those of them over which the surface turns back, of those in between, and of these where
+  // they are between facets.
+  struct Lengths
+  {
+    double all = 0, sharp = 0, turning = 0, mild = 0, facets = 0;
+    bool are_mostly_flat = false;        // more than half of the edges, by number
+  };
+
+  // Notes the sharp edges, too.
+  Lengths measure_edges()
+  {
+    const double sharp = cosine_of_degrees(CAD_ANGLE), mild = cosine_of_degrees(MILD_ANGLE), flat = cosine_of_degrees(FLAT_ANGLE),
+                 least = cosine_of_degrees(LEAST_ANGLE), turning = cosine_of_degrees(TURNING_ANGLE);
+    Lengths result;
+    std::size_t flat_edges = 0, edges = 0;
+    for_each_inner_edge([&](Index h) {
+      const double c = normals_.cosine(h), l = std::sqrt(mesh_.squared_edge_length(h));
+      ++edges;
+      result.all += l;
+      flat_edges += c > flat;
+      if (c <= least) sharp_edges_.push_back(h);
+      if (c > mild) return;
+      (c <= sharp ? result.sharp : result.mild) += l;
+      if (c <= turning) result.turning += l;
+      if (c > sharp && is_in_polygon(h) && is_in_polygon(mesh_.opposite(h))) result.facets += l;
+    });
+    result.are_mostly_flat = 2 * flat_edges > edges;
+    return result;
+  }
+
+  // Whether the dihedral angles are those of a CAD model, whatever its sharp edges look like.
+  bool looks_designed(const Lengths& lengths, const std::vector<Index>& candidates) const
+  {
+    const double of_long = length_in_long_components(candidates);
+    const auto are_few_mild = [&](double length) { return lengths.mild - lengths.facets < 0.2 * length; };
+    const auto is_cad_with = [&](double length) {
+      return lengths.mild < 0.5 * length || (lengths.mild < 1.1 * length && lengths.are_mostly_flat) || are_few_mild(length);
+    };
+    const auto form_network = [&]() { return Feature_graph(mesh_, own_length_, candidates).is_network(); };
+    return ((is_cad_with(lengths.sharp) && is_cad_with(of_long)) || (lengths.mild < MOST_MILD * of_long && form_network())) &&
+           ((are_few_mild(lengths.sharp) && are_few_mild(of_long)) || !are_of_noise());
+  }
+
+  void find_creases(double length_of_all)
+  {
+    creases_ = sharp_edges(CREASE_ANGLE);
+    double length = 0;
+    for (const Index h : creases_) length += std::sqrt(mesh_.squared_edge_length(h));
+    if (length < CREASE_SHARE * length_of_all || are_of_noise()) creases_.clear();
+  }
+
+  // Those of each part are as sharp and as long together.
+  void find_smooth_curves(const std::vector<Index>& edges)
+  {
+    Feature_graph graph(mesh_, own_length_, edges);
+    if (are_of_noise() || !graph.is_smooth_network()) return;
+    const std::vector<Index> curves = graph.edges();
+    const Parts parts = find_parts();
+    std::vector<double> length(parts.area.size(), 0), turns(parts.area.size(), 0);      // by part
+    for (const Index h : curves) {
+      const double l = std::sqrt(mesh_.squared_edge_length(h));
+      length[parts.part[h >> 2]] += l;
+      turns[parts.part[h >> 2]] += l * normals_.angle(h);
+    }
+    for (const Index h : curves) {
+      const Index k = parts.part[h >> 2];
+      if (turns[k] >= CREASE_ANGLE * length[k] && length[k] >= LONG_CURVES * std::sqrt(parts.area[k])) smooth_curves_.push_back(h);
+    }
+  }
+
+  bool are_stairs(const Jagged_chamfers& chamfers) const
+  {
+    const double share = chamfers.chamfer_share();
+    if (share < CHAMFERED_STAIRS || (chamfers.wall_share() > THIN_STAIRS && chamfers.jagged_share() >= NOISY_JAGS)) return false;
+    return Voxel_surface(mesh_, own_length_).is_one() ||
+           (is_cad_ && share >= SIMPLIFIED_CHAMFERS && chamfers.jagged_share() >= SIMPLIFIED_JAGS);
+  }
+
+  // What hangs together.
+  struct Parts
+  {
+    std::vector<Index> part;             // by face
+    std::vector<double> area;            // by part
+  };
+  Parts find_parts() const
+  {
+    Parts result;
+    std::vector<Index> number(mesh_.number_of_face_slots(), -1);
+    result.part.resize(number.size());
+    for (Index first = 0; first < Index(number.size()); ++first) {
+      if (number[first] >= 0) continue;
+      double area = 0;
+      for (const Index f : component_of(mesh_, first, number)) {
+        result.part[f] = Index(result.area.size());
+        area += normals_.doubled_areas()[f] / 2;
+      }
+      result.area.push_back(area);
+    }
+    return result;
+  }
+
+  // The length of these edges in components that are long beside the edges of the mesh, or beside the part that they are on.
+  double length_in_long_components(const std::vector<Index>& edges) const
+  {
+    const Parts parts = find_parts();
+    Feature_graph graph(mesh_, own_length_, edges);
+    graph.drop_components_shorter_than([&](Index h) {
+      return (std::min)(LONG_COMPONENT, LONG_PART * std::sqrt(parts.area[parts.part[h >> 2]]) / own_length_); }, LONG_RING);
+    double sum = 0;
+    for (const Index h : graph.edges()) sum += std::sqrt(mesh_.squared_edge_length(h));
+    return sum;
+  }
+
+  // Free ends, and those where edges meet, among the vertices of these edges.
+  void count_vertices(const std::vector<Index>& edges)
+  {
+    struct Edges { int ridges = 0, grooves = 0; };
+    std::vector<Edges> edges_at(mesh_.number_of_vertex_slots());
+    for (const Index h : edges) {
+      const Index v = mesh_.origin(h);
+      const bool is_ridge = dot(normals_[h >> 2], mesh_.position(mesh_.apex(mesh_.opposite(h))) - mesh_.position(v)) < 0;
+      for (const Index end : {v, mesh_.target(h)}) ++(is_ridge ? edges_at[end].ridges : edges_at[end].grooves);
+    }
+    for (Index v = 0; v < Index(edges_at.size()); ++v) {
+      const Edges& e = edges_at[v];
+      const int degree = e.ridges + e.grooves;
+      sharp_vertices_ += degree > 0;
+      free_ends_ += degree == 1 && !mesh_.is_border_vertex(v);
+      junctions_ += degree > 2;
+      saddles_ += e.ridges > 1 && e.grooves > 1;
+    }
+  }
+
+  // Whether many of the vertices of sharp edges are saddles.
+  bool are_of_noise() const
+  {
+    return saddles_ >= LEAST_SADDLES && double(saddles_) > NOISE_SHARE * double(sharp_vertices_);
+  }
+
+  // Whether sharp edges are a tangle, over which the surface turns back.
+  bool are_of_leaves(const Lengths& lengths) const
+  {
+    const auto are_more_than = [&](double share, std::size_t n) { return double(n) > share * double(sharp_vertices_); };
+    return sharp_vertices_ >= LEAST_TANGLE && are_more_than(LOOSE_SHARE, free_ends_) &&
+           are_more_than(TANGLE_SHARE, free_ends_ + junctions_) && lengths.turning > TURNING_SHARE * lengths.sharp;
+  }
+
+  const Face_normals& normals_;
+  const Remeshing_mesh& mesh_;
+  double own_length_;
+  bool is_cad_ = false, has_jagged_chamfers_ = false, has_voxel_stairs_ = false;
+  std::size_t sharp_vertices_ = 0, free_ends_ = 0, junctions_ = 0, saddles_ = 0;       // of edges of CAD_ANGLE
+  std::vector<Index> sharp_edges_, creases_, smooth_curves_;
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURES_MODEL_KIND_H

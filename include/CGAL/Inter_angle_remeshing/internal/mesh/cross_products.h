@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_MESH_CROSS_PRODUCTS_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_MESH_CROSS_PRODUCTS_H
+
+#include <CGAL/Inter_angle_remeshing/internal/geometry/Vector3.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh.h>
+
+// Where the surface looks at a face without an area, and at a vertex. CAD systems leave such faces along edges at which the faces of one
+// side have vertices that those of the other side lack.
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+inline Remeshing_mesh::Index longest_edge(const Remeshing_mesh& mesh, Remeshing_mesh::Index f)
+{
+  Remeshing_mesh::Index longest = 4 * f;
+  for (Remeshing_mesh::Index h = 4 * f + 1; h < 4 * f + 3; ++h)
+    if (mesh.squared_edge_length(h) > mesh.squared_edge_length(longest)) longest = h;
+  return longest;
+}
+
+// The cross product of face f. One without an area is a part of the face beyond its longest edge, on which it lies, and looks as that
+// does; zero where so many faces in a row have no area.
+inline Vector3 cross_product_of_surface(const Remeshing_mesh& mesh, Remeshing_mesh::Index f)
+{
+  constexpr int FARTHEST = 16;
+  for (int i = 0; i < FARTHEST && f >= 0; ++i) {
+    const Vector3 &a = mesh.position(mesh.origin(4 * f)), &b = mesh.position(mesh.origin(4 * f + 1)),
+                  &c = mesh.position(mesh.origin(4 * f + 2));
+    const Vector3 n = triangle_cross(a, b, c);
+    if (!is_degenerate(n, a, b, c)) return n;
+    const Remeshing_mesh::Index o = mesh.opposite(longest_edge(mesh, f));
+    f = o < 0 ? -1 : o >> 2;
+  }
+  return {};
+}
+
+// The sum of the cross products of the faces around v.
+inline Vector3 star_cross_product(const Remeshing_mesh& mesh, Remeshing_mesh::Index v)
+{
+  Vector3 sum;
+  mesh.for_each_around(v, [&](Remeshing_mesh::Index h) {
+    sum += triangle_cross(mesh.position(v), mesh.position(mesh.target(h)), mesh.position(mesh.apex(h)));
+  });
+  return sum;
+}
+
+// The area of the mesh, in its own units.
+inline double area(const Remeshing_mesh& mesh)
+{
+  double doubled = 0;
+  for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(mesh.number_of_face_slots()); ++f)
+    if (mesh.is_face(f)) doubled += length(mesh.cross_product(f));
+  return doubled / 2;
+}
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_MESH_CROSS_PRODUCTS_H
