@@ -2154,6 +2154,79 @@ Mesh twisted_bar(double thickness, std::size_t stations, double degrees)
   return meshes::to_mesh<Mesh>(soup);
 }
 
+// Two triangles for each cell of a grid of n by m points, row by row.
+void add_cells(meshes::Soup& soup, std::size_t n, std::size_t m)
+{
+  for(std::size_t i = 0; i + 1 < n; ++i)
+    for(std::size_t j = 0; j + 1 < m; ++j)
+    {
+      const std::size_t a = i * m + j, b = a + m;
+      soup.faces.push_back({a, b, b + 1});
+      soup.faces.push_back({a, b + 1, a + 1});
+    }
+}
+
+// The sheet of these n by m points, and its copy at this distance below, joined along their rims.
+meshes::Soup plate_under(meshes::Soup soup, std::size_t n, std::size_t m, double thickness)
+{
+  add_cells(soup, n, m);
+  const std::size_t points = soup.points.size(), faces = soup.faces.size();
+  for(std::size_t v = 0; v < points; ++v)
+    soup.points.push_back({soup.points[v][0], soup.points[v][1], soup.points[v][2] - thickness});
+  for(std::size_t f = 0; f < faces; ++f)
+    soup.faces.push_back({soup.faces[f][0] + points, soup.faces[f][2] + points, soup.faces[f][1] + points});
+  std::vector<std::size_t> rim;
+  for(std::size_t i = 0; i + 1 < n; ++i)
+    rim.push_back(i * m);
+  for(std::size_t j = 0; j + 1 < m; ++j)
+    rim.push_back((n - 1) * m + j);
+  for(std::size_t i = n - 1; i > 0; --i)
+    rim.push_back(i * m + m - 1);
+  for(std::size_t j = m - 1; j > 0; --j)
+    rim.push_back(j);
+  for(std::size_t k = 0; k < rim.size(); ++k)
+  {
+    const std::size_t a = rim[k], b = rim[(k + 1) % rim.size()];
+    soup.faces.push_back({b, a, a + points});
+    soup.faces.push_back({b, a + points, b + points});
+  }
+  return soup;
+}
+
+// Paper folded like a map (Miura): n by n parallelograms, whose creases zigzag.
+meshes::Soup folded_paper(std::size_t n)
+{
+  meshes::Soup soup;
+  for(std::size_t i = 0; i <= n; ++i)
+    for(std::size_t j = 0; j <= n; ++j)
+      soup.points.push_back({.5 * double(i), .5 * double(j) + .25 * double(i % 2), .3 * double(j % 2)});
+  return soup;
+}
+
+// Where all creases turn to and fro, they were taken for stairs of voxels, or for jagged chamfers of a wrap, and went; sheets of a thick
+// paper crossed each other then, in 183 to 555 pairs. So did the edges of turned parts of six facets, of which some turn so.
+void zigzags_by_design_are_features()
+{
+  constexpr std::size_t N = 12;
+  meshes::Soup sheet = folded_paper(N);
+  add_cells(sheet, N + 1, N + 1);
+  const Mesh paper = meshes::to_mesh<Mesh>(sheet), plate = meshes::to_mesh<Mesh>(plate_under(folded_paper(N), N + 1, N + 1, .04));
+  CHECK(found_features(paper).size() == N * (N - 1));
+  CHECK(CGAL::is_closed(plate) && PMP::is_outward_oriented(plate) && found_features(plate).size() == 2 * N * (N - 1) + 8 * N + 2 * (N + 1));
+  const Mesh bottle = meshes::to_mesh<Mesh>(meshes::turned({{.6, 0}, {.7, .1}, {.7, 1}, {.6, 1.3}, {.25, 1.6}, {.2, 2}, {.22, 2.1}}, 6, false));
+  CHECK(found_features(bottle).size() == 54);
+  for(const Mesh& input : {paper, plate, bottle})
+    for(const double length : {.1, .2, .4})
+    {
+      Mesh m = input;
+      IAR::isotropic_remeshing(length, m);
+      const double moved = invariants::surface_distance(input, m).hausdorff() / length;
+      CHECK_MESSAGE(moved < .3 && topology(m) == topology(input) && !does_self_intersect(m),
+                    input.number_of_faces() << " faces at " << length << ": " << moved);
+      CHECK(!CGAL::is_closed(m) || std::abs(PMP::volume(m) / PMP::volume(input) - 1) < .02);
+    }
+}
+
 // A curved panel, 2 by 1.4, with noise, and its copy at this distance below, joined along their rims.
 Mesh noisy_panel(double thickness, double noise, unsigned seed)
 {
@@ -2167,35 +2240,7 @@ Mesh noisy_panel(double thickness, double noise, unsigned seed)
       const double x = 2 * double(i) / (N - 1) - 1, y = 1.4 * double(j) / (M - 1) - .7;
       soup.points.push_back({x + any(), y + any(), .2 * x * x - .15 * y * y + any()});
     }
-  const std::size_t n = soup.points.size();
-  for(std::size_t v = 0; v < n; ++v)
-    soup.points.push_back({soup.points[v][0], soup.points[v][1], soup.points[v][2] - thickness});
-  for(std::size_t i = 0; i + 1 < N; ++i)
-    for(std::size_t j = 0; j + 1 < M; ++j)
-    {
-      const std::size_t a = i * M + j, b = a + M;
-      for(const std::array<std::size_t, 3>& f : {std::array<std::size_t, 3>{a, b, b + 1}, {a, b + 1, a + 1}})
-      {
-        soup.faces.push_back(f);
-        soup.faces.push_back({f[0] + n, f[2] + n, f[1] + n});
-      }
-    }
-  std::vector<std::size_t> rim;
-  for(std::size_t i = 0; i + 1 < N; ++i)
-    rim.push_back(i * M);
-  for(std::size_t j = 0; j + 1 < M; ++j)
-    rim.push_back((N - 1) * M + j);
-  for(std::size_t i = N - 1; i > 0; --i)
-    rim.push_back(i * M + M - 1);
-  for(std::size_t j = M - 1; j > 0; --j)
-    rim.push_back(j);
-  for(std::size_t k = 0; k < rim.size(); ++k)
-  {
-    const std::size_t a = rim[k], b = rim[(k + 1) % rim.size()];
-    soup.faces.push_back({b, a, a + n});
-    soup.faces.push_back({b, a + n, b + n});
-  }
-  return meshes::to_mesh<Mesh>(soup);
+  return meshes::to_mesh<Mesh>(plate_under(soup, N, M, thickness));
 }
 
 // Between the sharp edges of a twisted bar, and of what is noisy, there are hardly any flat ones, so that these are no CAD models; and of
@@ -3168,6 +3213,7 @@ int main()
   turned_stairs_are_no_features();
   simplified_stairs_are_no_features();
   what_resembles_stairs_keeps_its_edges();
+  zigzags_by_design_are_features();
   one_rim_of_a_jagged_chamfer_is_a_feature();
   jagged_creases_leave_room_for_good_angles();
   leaves_are_no_cad_models();

@@ -413,6 +413,65 @@ void narrow_faces_between_large_and_tiny_ones_do_not_turn_over()
   }
 }
 
+// What bulges keeps out of what is close by, another part or the same one. Facets that do not touch each other did: remeshed balls side by
+// side crossed each other in 289 pairs, the turns of a spring in 1039.
+void bulges_keep_out_of_what_is_close_by()
+{
+  const auto check = [](const Mesh& input, double length, const std::string& name)
+  {
+    CHECK_MESSAGE(!does_self_intersect(input) && !does_self_intersect(tessellation(Mls(input), 3)), name);
+    Mesh m = input;
+    IAR::isotropic_remeshing(length, m);
+    CHECK_MESSAGE(!does_self_intersect(m), name);
+    // It bulges all the same.
+    CHECK_MESSAGE(PMP::volume(m) > 1.01 * PMP::volume(input), name << ": " << PMP::volume(m) / PMP::volume(input));
+  };
+  // Prisms' sides of bodies of revolution face each other, which are planes, and bulge.
+  constexpr std::size_t SIDES = 12;
+  const double inner = std::cos(CGAL_PI / SIDES), gap = .02;
+  const auto turned_by_half_a_side = [&](double angle, double radius)
+  {
+    return std::array<double, 2>{radius * std::cos(angle + CGAL_PI / SIDES), radius * std::sin(angle + CGAL_PI / SIDES)};
+  };
+  Profile half_circle;
+  for(int k = 1; k < 8; ++k)
+    half_circle.push_back({std::sin(k * CGAL_PI / 8), -std::cos(k * CGAL_PI / 8)});
+  Soup ball = turned(half_circle, SIDES, false);
+  for(auto& [x, y, z] : ball.points)
+  {
+    const double radius = std::hypot(x, y), angle = std::atan2(y, x);
+    const auto p = turned_by_half_a_side(angle, radius);
+    x = p[0];
+    y = p[1];
+  }
+  check(to_mesh<Mesh>(ball.joined_with(ball.moved(2 * inner + gap, 0, 0))), .1, "balls");
+
+  constexpr std::size_t STEPS = 16, TURNS = 2;
+  const double thickness = .3;
+  Soup spring;
+  for(std::size_t i = 0; i <= STEPS * TURNS; ++i)
+    for(std::size_t k = 0; k < SIDES; ++k)
+    {
+      const double a = 2 * CGAL_PI * double(i) / STEPS;
+      const auto [r, z] = turned_by_half_a_side(2 * CGAL_PI * double(k) / SIDES, thickness);
+      spring.points.push_back({(1 + r) * std::cos(a), (1 + r) * std::sin(a), z + (2 * thickness * inner + gap) * double(i) / STEPS});
+    }
+  for(std::size_t i = 0; i < STEPS * TURNS; ++i)
+    for(std::size_t k = 0; k < SIDES; ++k)
+    {
+      const std::size_t a = i * SIDES + k, b = i * SIDES + (k + 1) % SIDES;
+      spring.faces.push_back({a, a + SIDES, b + SIDES});
+      spring.faces.push_back({a, b + SIDES, b});
+    }
+  const std::size_t last = STEPS * TURNS * SIDES;
+  for(std::size_t k = 1; k + 1 < SIDES; ++k)
+  {
+    spring.faces.push_back({0, k, k + 1});
+    spring.faces.push_back({last, last + k + 1, last + k});
+  }
+  check(to_mesh<Mesh>(spring), .06, "spring");
+}
+
 void odd_input_is_survived()
 {
   // needles, faces without an area, faces on top of each other, a single face
@@ -1061,6 +1120,7 @@ int main()
   real_models_keep_the_bounds();
   the_surface_does_not_cross_itself();
   narrow_faces_between_large_and_tiny_ones_do_not_turn_over();
+  bulges_keep_out_of_what_is_close_by();
   odd_input_is_survived();
   a_query_keeps_to_its_sheet();
   threads_get_the_same_points();

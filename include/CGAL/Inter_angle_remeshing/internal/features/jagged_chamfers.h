@@ -30,7 +30,8 @@ class Jagged_chamfers
   static constexpr double STEEPEST_RIM = 70;                       // of a chamfer, in degrees
   static constexpr double LEAST_TURN = 15, GREATEST_TURN = 80;     // to and fro, in degrees
   // Parts of the sharp edges.
-  static constexpr double LEAST_CHAMFERS = 0.15, LEAST_JAGGED = 0.002, MANY_JAGGED = 0.02, MOST_WALLS = 0.3;
+  static constexpr double LEAST_CHAMFERS = 0.15, LEAST_JAGGED = 0.002, MANY_JAGGED = 0.02, MOST_JAGGED = 0.4, MOST_WALLS = 0.3;
+  static constexpr std::size_t LEAST_EDGES = 90;
   // This part of the rims of chamfers has a flat face beside it, whose least altitude is less than this part of its longest edge.
   static constexpr double LEAST_FLAT = 0.25, FLAT = 0.39;
 
@@ -53,8 +54,13 @@ public:
   // `mean_length` is that of the edges of the mesh.
   bool are_there(double mean_length) const
   {
-    return is_even(mean_length) && chamfer_share() >= LEAST_CHAMFERS && jagged_share() >= LEAST_JAGGED && wall_share() <= MOST_WALLS;
+    return is_even(mean_length) && chamfer_share() >= LEAST_CHAMFERS && jagged_share() >= LEAST_JAGGED && !are_by_design() &&
+           wall_share() <= MOST_WALLS;
   }
+
+  // Whether there are too few to tell, as of a turned part of six facets, of whose edges some turn to and fro, or nearly all do, as the
+  // creases of folded paper.
+  bool are_by_design() const { return sharp_edges_.size() < LEAST_EDGES || jagged_share() > MOST_JAGGED; }
 
   // Whether they may be those of a part that has been remeshed: hardly jagged, and few of their faces flat.
   bool may_be_remeshed() const

@@ -35,20 +35,31 @@ namespace internal {
 using Box_of_face =
   CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Corner_table::Index*, CGAL::Box_intersection_d::ID_FROM_HANDLE>;
 
+// Whether two faces cross each other, and how far what may cross reaches beyond the boxes of the faces.
 template <class Surface>
-std::vector<Box_of_face> boxes_of_faces(const Surface& mesh, const std::vector<Corner_table::Index>& faces)
+struct Crossing_of_faces
+{
+  const Surface& mesh;
+
+  double growth(Corner_table::Index) const { return 0; }
+  bool operator()(Corner_table::Index f, Corner_table::Index g) const { return cross_each_other(mesh, f, g); }
+};
+
+template <class Surface, class Crossing>
+std::vector<Box_of_face> boxes_of_faces(const Surface& mesh, const std::vector<Corner_table::Index>& faces, const Crossing& crossing)
 {
   std::vector<Box_of_face> result;
   result.reserve(faces.size());
   for (const Corner_table::Index& f : faces) {
     const Bounding_box b = bounding_box(mesh, f);
-    result.emplace_back(CGAL::Bbox_3(b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z), &f);
+    const double g = crossing.growth(f);
+    result.emplace_back(CGAL::Bbox_3(b.low.x - g, b.low.y - g, b.low.z - g, b.high.x + g, b.high.y + g, b.high.z + g), &f);
   }
   return result;
 }
 
-// `Surface` is a `Corner_table` with position().
-template <class ConcurrencyTag, class Surface>
+// `Surface` is a `Corner_table` with position(), `Crossing` like Crossing_of_faces.
+template <class ConcurrencyTag, class Surface, class Crossing>
 class Crossing_finder
 {
   using Index = Corner_table::Index;
@@ -73,8 +84,8 @@ class Crossing_finder
   };
 
 public:
-  explicit Crossing_finder(const Surface& mesh)
-    : mesh_(mesh)
+  Crossing_finder(const Surface& mesh, const Crossing& crossing)
+    : mesh_(mesh), crossing_(crossing)
   {}
 
   // Every pair once, the lower number first, in order.
@@ -120,9 +131,10 @@ private:
         normals_[i] = triangle_cross(a, b, c);
         const Bounding_box box(a, b, c);
         const double least[3] = {box.low.x, box.low.y, box.low.z}, most[3] = {box.high.x, box.high.y, box.high.z};
+        const double growth = crossing_.growth(faces_[i]) + ROUNDING;
         for (int k = 0; k < 3; ++k) {
-          boxes_[i].low[k] = float((std::max)(0., least[k] - ROUNDING));
-          boxes_[i].high[k] = float(most[k] + ROUNDING);
+          boxes_[i].low[k] = float((std::max)(0., least[k] - growth));
+          boxes_[i].high[k] = float(most[k] + growth);
         }
       }
     });
@@ -182,10 +194,10 @@ private:
   // Slower, but for faces of any sizes.
   void find_by_boxes(std::vector<std::pair<Index, Index>>& found) const
   {
-    std::vector<Box_of_face> boxes = boxes_of_faces(mesh_, faces_);
+    std::vector<Box_of_face> boxes = boxes_of_faces(mesh_, faces_, crossing_);
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box_of_face& a, const Box_of_face& b) {
       const Index f = *a.handle(), g = *b.handle();
-      if (cross_each_other(mesh_, f, g)) found.emplace_back((std::min)(f, g), (std::max)(f, g));
+      if (crossing_(f, g)) found.emplace_back((std::min)(f, g), (std::max)(f, g));
     });
   }
 
@@ -196,7 +208,7 @@ private:
       for (std::size_t j = i + 1; j < n; ++j) {
         if (entry[i] == entry[j] || !overlap(boxes_[entry[i]], boxes_[entry[j]])) continue;
         const Index f = faces_[entry[i]], g = faces_[entry[j]];
-        if (cross_each_other(mesh_, f, g)) found.emplace_back((std::min)(f, g), (std::max)(f, g));
+        if (crossing_(f, g)) found.emplace_back((std::min)(f, g), (std::max)(f, g));
       }
   }
 
@@ -268,6 +280,7 @@ private:
   };
 
   const Surface& mesh_;
+  const Crossing& crossing_;
   Bounding_box box_;                             // of all faces
   double inverse_cell_ = 1;
   std::vector<Index> faces_;
@@ -277,10 +290,16 @@ private:
   std::vector<Index> entries_;
 };
 
+template <class ConcurrencyTag, class Surface, class Crossing>
+std::vector<std::pair<Corner_table::Index, Corner_table::Index>> crossing_faces(const Surface& surface, const Crossing& crossing)
+{
+  return Crossing_finder<ConcurrencyTag, Surface, Crossing>(surface, crossing).find();
+}
+
 template <class ConcurrencyTag, class Surface>
 std::vector<std::pair<Corner_table::Index, Corner_table::Index>> crossing_faces(const Surface& surface)
 {
-  return Crossing_finder<ConcurrencyTag, Surface>(surface).find();
+  return crossing_faces<ConcurrencyTag>(surface, Crossing_of_faces<Surface>{surface});
 }
 
 // The pairs of one of `faces` and one of `others` that cross each other, in order; of two that are in both lists, both pairs.
@@ -290,11 +309,12 @@ std::vector<std::pair<Corner_table::Index, Corner_table::Index>> crossing_faces(
                                                                                 const std::vector<Corner_table::Index>& others)
 {
   std::vector<std::pair<Corner_table::Index, Corner_table::Index>> result;
-  std::vector<Box_of_face> boxes = boxes_of_faces(surface, faces), boxes_of_others = boxes_of_faces(surface, others);
+  const Crossing_of_faces<Surface> crossing{surface};
+  std::vector<Box_of_face> boxes = boxes_of_faces(surface, faces, crossing), boxes_of_others = boxes_of_faces(surface, others, crossing);
   CGAL::box_intersection_d(boxes.begin(), boxes.end(), boxes_of_others.begin(), boxes_of_others.end(),
                            [&](const Box_of_face& a, const Box_of_face& b) {
     const Corner_table::Index f = *a.handle(), g = *b.handle();
-    if (f != g && cross_each_other(surface, f, g)) result.emplace_back(f, g);
+    if (f != g && crossing(f, g)) result.emplace_back(f, g);
   });
   std::sort(result.begin(), result.end());
   return result;

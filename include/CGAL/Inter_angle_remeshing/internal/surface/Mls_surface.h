@@ -9,6 +9,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/Planar_polygons.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/Reference_surface.h>
+#include <CGAL/Inter_angle_remeshing/internal/surface/crossing_patches.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/sector_fit.h>
 
 #include <algorithm>
@@ -52,7 +53,8 @@ inline double facet_size(const Reference_surface& surface, Reference_surface::In
 //
 // where d_ij is what leads from the edge P_i P_j, at its end P_i, into the tangent plane or onto the tangent there. Faces
 // that touch a fold, where the surface turns back on itself, stay flat: bent, the two sides would run through each other. So do the
-// edges of faces that would themselves turn that far, as narrow ones between large facets and tiny ones.
+// edges of faces that would themselves turn that far, as narrow ones between large facets and tiny ones, and of those over which the
+// surface would run through another sheet that is close by.
 // Const after construction; the reference surface must outlive it.
 class Mls_surface
 {
@@ -99,6 +101,8 @@ public:
   }
   bool is_feature(Index h) const { return (faces_[h >> 2].features >> (h & 3) & 1) != 0; }
   double size(Index f) const { return sizes_[f]; }
+  // A bound of the distance from P(b) to the face: the coefficients of all d are nowhere more than a third.
+  double height(Index f) const;
   // The smooth part of the surface around corner k of face f, between features, and its unit normal there; -1: none.
   Index sector(Index f, int k) const { return faces_[f].sector[k]; }
   const Vector3& sector_normal(Index s) const { return normals_[s]; }
@@ -113,8 +117,10 @@ private:
     Index sector[3] = {-1, -1, -1};          // of the corners; -1: no normal
     // Of the smooth edges from corner k to the next and the one before: d = -rise n.
     float rise[3][2] = {{0, 0}, {0, 0}, {0, 0}};
-    std::uint32_t features = 0;              // a bit for each edge on a feature, then one for each such vertex
+    std::uint32_t features = 0;              // bits for the edges on features, for the vertices there, and for those of the edges that are straight
   };
+
+  static constexpr std::uint32_t STRAIGHT = 1u << 6;       // the first of the bits of straight edges on features
 
   // |d| is at most this fraction of the edge. What curves at the ends of an edge says little about one that is more than this many
   // times as long as the faces beside it are large: there it falls with the square of that.
@@ -170,7 +176,9 @@ private:
   void find_rises();
   bool turns_over(Index f) const;
   void flatten_edge(Index h);
+  void straighten(Index h);
   void flatten_what_turns_over();
+  void flatten_what_crosses();
   Vector3 feature_offset(Index f, int from, int to) const;
 
   const Reference_surface* surface_;
@@ -199,6 +207,7 @@ inline Mls_surface::Mls_surface(const Reference_surface& surface, const std::vec
   fit_sectors();
   find_rises();
   flatten_what_turns_over();
+  flatten_what_crosses();
 }
 
 inline void Mls_surface::find_sizes(double least_size, const std::vector<char>* is_flat)
@@ -503,6 +512,12 @@ inline bool Mls_surface::turns_over(Index f) const
   return false;
 }
 
+inline void Mls_surface::straighten(Index h)
+{
+  faces_[h >> 2].features |= STRAIGHT << (h & 3);
+  if (surface_->opposite(h) >= 0) faces_[surface_->opposite(h) >> 2].features |= STRAIGHT << (surface_->opposite(h) & 3);
+}
+
 inline void Mls_surface::flatten_edge(Index h)
 {
   const auto flatten = [&](Index side) {
@@ -528,13 +543,37 @@ inline void Mls_surface::flatten_what_turns_over()
   }
 }
 
+inline double Mls_surface::height(Index f) const
+{
+  double highest = 0;
+  for (int k = 0; k < 3; ++k) {
+    for (const float rise : faces_[f].rise[k]) highest = (std::max)(highest, std::abs(double(rise)));
+    if (is_feature(4 * f + k)) for (const Vector3& d : curve_offsets(4 * f + k)) highest = (std::max)(highest, length(d));
+  }
+  return (std::min)(highest / 3, LARGEST_OFFSET * sizes_[f]);
+}
+
+// Flat faces are those of the reference surface, and where these cross each other nothing is gained.
+inline void Mls_surface::flatten_what_crosses()
+{
+  if (curved_.empty()) return;
+  for (auto pairs = crossing_patches(*this); !pairs.empty(); pairs = crossing_patches(*this))
+    for (const auto& [f, g] : pairs)
+      for (const Index face : {f, g})
+        for (Index h = 4 * face; h < 4 * face + 3; ++h) {
+          flatten_edge(h);
+          if (is_feature(h)) straighten(h);
+        }
+}
+
 // d for a feature edge. The curve must not cross the faces beside it, which may be thinner than it is high.
 inline Vector3 Mls_surface::feature_offset(Index f, int from, int to) const
 {
   const Vector3& t = tangents_[surface_->face_record(f).vertex[from]];
-  if (t == Vector3()) return {};
+  const int edge = to == (from + 1) % 3 ? from : to;
+  if (t == Vector3() || (faces_[f].features >> edge & STRAIGHT) != 0) return {};
   const Vector3 e = corner(f, to) - corner(f, from);
-  const Index across = surface_->opposite(4 * f + (to == (from + 1) % 3 ? from : to));
+  const Index across = surface_->opposite(4 * f + edge);
   double bound = (std::min)(STEEPEST * length(e), surface_->least_altitude(f));
   if (across >= 0) bound = (std::min)(bound, surface_->least_altitude(across >> 2));
   return clamped(dot(t, e) * t - e, bound);
