@@ -470,6 +470,20 @@ void bulges_keep_out_of_what_is_close_by()
     spring.faces.push_back({last, last + k + 1, last + k});
   }
   check(to_mesh<Mesh>(spring), .06, "spring");
+
+  // Two faces that have but a pinched vertex in common are close there, and cross nothing.
+  Soup pinched = sphere(2);
+  std::size_t at_vertex = 0;
+  const auto is_left_out = [&](const auto& f) { return std::count(f.begin(), f.end(), std::size_t(0)) > 0 && at_vertex++ % 3 == 0; };
+  pinched.faces.erase(std::remove_if(pinched.faces.begin(), pinched.faces.end(), is_left_out), pinched.faces.end());
+  const Mesh m = to_mesh<Mesh>(pinched);
+  CHECK(at_vertex == 4 && m.number_of_faces() == 126);
+  const Mls mls(m);
+  for(const Mesh::Face_index f : m.faces())
+  {
+    const auto p = corners(f, m);
+    CHECK(distance(mls.project(CGAL::centroid(p[0], p[1], p[2])), CGAL::centroid(p[0], p[1], p[2])) > 1e-3);
+  }
 }
 
 void odd_input_is_survived()

@@ -75,7 +75,8 @@ public:
   /// a vector
   using Vector_3 = typename CGAL::Kernel_traits<Point_3>::Kernel::Vector_3;
 
-  /// fits the surface to `tmesh`, in time linear in its number of faces.
+  /// fits the surface to `tmesh`, in time linear in its number of faces, and in that of the pairs of them that are as close to each other as
+  /// the surface bulges.
   /// @param tmesh a triangle mesh; it must outlive the projector only where `operator()(vertex_descriptor)` is used
   /// @param vpm the points of its vertices
   /// @throws CGAL::Precondition_exception if `tmesh` has no face or one that is not a triangle, if a coordinate is not

@@ -206,7 +206,7 @@ private:
     const double share = chamfers.chamfer_share();
     if (share < CHAMFERED_STAIRS || (chamfers.wall_share() > THIN_STAIRS && chamfers.jagged_share() >= NOISY_JAGS)) return false;
     return Voxel_surface(mesh_, own_length_).is_one() ||
-           (is_cad_ && !chamfers.are_by_design() && share >= SIMPLIFIED_CHAMFERS && chamfers.jagged_share() >= SIMPLIFIED_JAGS);
+           (is_cad_ && !chamfers.tell_nothing() && share >= SIMPLIFIED_CHAMFERS && chamfers.jagged_share() >= SIMPLIFIED_JAGS);
   }
 
   // What hangs together.

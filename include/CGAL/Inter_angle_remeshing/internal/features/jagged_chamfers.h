@@ -54,13 +54,13 @@ public:
   // `mean_length` is that of the edges of the mesh.
   bool are_there(double mean_length) const
   {
-    return is_even(mean_length) && chamfer_share() >= LEAST_CHAMFERS && jagged_share() >= LEAST_JAGGED && !are_by_design() &&
+    return is_even(mean_length) && chamfer_share() >= LEAST_CHAMFERS && jagged_share() >= LEAST_JAGGED && !tell_nothing() &&
            wall_share() <= MOST_WALLS;
   }
 
-  // Whether there are too few to tell, as of a turned part of six facets, of whose edges some turn to and fro, or nearly all do, as the
-  // creases of folded paper.
-  bool are_by_design() const { return sharp_edges_.size() < LEAST_EDGES || jagged_share() > MOST_JAGGED; }
+  // Whether it tells nothing that edges turn to and fro: there are few, as of a turned part of six facets, or nearly all do, as the creases
+  // of folded paper.
+  bool tell_nothing() const { return sharp_edges_.size() < LEAST_EDGES || jagged_share() > MOST_JAGGED; }
 
   // Whether they may be those of a part that has been remeshed: hardly jagged, and few of their faces flat.
   bool may_be_remeshed() const

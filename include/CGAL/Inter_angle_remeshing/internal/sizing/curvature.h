@@ -70,7 +70,7 @@ class Curvature
 public:
   // Of a mesh without free slots, its features marked.
   explicit Curvature(const Remeshing_mesh& mesh)
-    : surface_(mesh), mls_(surface_, std::vector<Index>())
+    : surface_(mesh), mls_(surface_, std::vector<Index>(), -1, nullptr, false)
   {
     const std::size_t n = surface_.number_of_faces();
     forms_.resize(n);

@@ -7,9 +7,9 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/curves/curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/surface/Close_patches.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/Planar_polygons.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/Reference_surface.h>
-#include <CGAL/Inter_angle_remeshing/internal/surface/crossing_patches.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/sector_fit.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ inline double facet_size(const Reference_surface& surface, Reference_surface::In
 // where d_ij is what leads from the edge P_i P_j, at its end P_i, into the tangent plane or onto the tangent there. Faces
 // that touch a fold, where the surface turns back on itself, stay flat: bent, the two sides would run through each other. So do the
 // edges of faces that would themselves turn that far, as narrow ones between large facets and tiny ones, and of those over which the
-// surface would run through another sheet that is close by.
+// surface would run through what is close by, another sheet or another part.
 // Const after construction; the reference surface must outlive it.
 class Mls_surface
 {
@@ -64,9 +64,9 @@ public:
 
   // Of the faces that are larger than `least_size`; on the other ones, and on those of which `is_flat` says so, whose size is 0, the
   // surface is the triangle. Features are the border, constrained edges, those of the half-edges `creases`, and edges where two wide planar
-  // polygons meet.
+  // polygons meet. Unless it `keeps_apart`, the surface may cross what is close by.
   Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_size = -1,
-              const std::vector<char>* is_flat = nullptr);
+              const std::vector<char>* is_flat = nullptr, bool keeps_apart = true);
 
   const Reference_surface& reference_surface() const { return *surface_; }
 
@@ -101,7 +101,7 @@ public:
   }
   bool is_feature(Index h) const { return (faces_[h >> 2].features >> (h & 3) & 1) != 0; }
   double size(Index f) const { return sizes_[f]; }
-  // A bound of the distance from P(b) to the face: the coefficients of all d are nowhere more than a third.
+  // A bound of the distance from P(b) to the face: the coefficients of all d sum to no more than a third.
   double height(Index f) const;
   // The smooth part of the surface around corner k of face f, between features, and its unit normal there; -1: none.
   Index sector(Index f, int k) const { return faces_[f].sector[k]; }
@@ -117,7 +117,7 @@ private:
     Index sector[3] = {-1, -1, -1};          // of the corners; -1: no normal
     // Of the smooth edges from corner k to the next and the one before: d = -rise n.
     float rise[3][2] = {{0, 0}, {0, 0}, {0, 0}};
-    std::uint32_t features = 0;              // bits for the edges on features, for the vertices there, and for those of the edges that are straight
+    std::uint32_t features = 0;              // a bit for each edge on a feature, each vertex there, and each such edge that is straight
   };
 
   static constexpr std::uint32_t STRAIGHT = 1u << 6;       // the first of the bits of straight edges on features
@@ -195,7 +195,7 @@ private:
 };
 
 inline Mls_surface::Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_size,
-                                const std::vector<char>* is_flat)
+                                const std::vector<char>* is_flat, bool keeps_apart)
   : surface_(&surface), faces_(surface.number_of_faces())
 {
   find_sizes(least_size, is_flat);
@@ -207,7 +207,7 @@ inline Mls_surface::Mls_surface(const Reference_surface& surface, const std::vec
   fit_sectors();
   find_rises();
   flatten_what_turns_over();
-  flatten_what_crosses();
+  if (keeps_apart) flatten_what_crosses();
 }
 
 inline void Mls_surface::find_sizes(double least_size, const std::vector<char>* is_flat)
@@ -553,17 +553,16 @@ inline double Mls_surface::height(Index f) const
   return (std::min)(highest / 3, LARGEST_OFFSET * sizes_[f]);
 }
 
-// Flat faces are those of the reference surface, and where these cross each other nothing is gained.
+// Where the faces of the reference surface cross each other, nothing is gained.
 inline void Mls_surface::flatten_what_crosses()
 {
   if (curved_.empty()) return;
-  for (auto pairs = crossing_patches(*this); !pairs.empty(); pairs = crossing_patches(*this))
-    for (const auto& [f, g] : pairs)
-      for (const Index face : {f, g})
-        for (Index h = 4 * face; h < 4 * face + 3; ++h) {
-          flatten_edge(h);
-          if (is_feature(h)) straighten(h);
-        }
+  Close_patches<Mls_surface>(*this).part([&](Index f) {
+    for (Index h = 4 * f; h < 4 * f + 3; ++h) {
+      flatten_edge(h);
+      if (is_feature(h)) straighten(h);
+    }
+  });
 }
 
 // d for a feature edge. The curve must not cross the faces beside it, which may be thinner than it is high.
