@@ -33,7 +33,8 @@ their normals, and corners stay where they are; so does the border. So are edges
 polygons of which each has a vertex that belongs to no other polygon, inside of it or on the border: planes that have been
 designed stay planes. Faces that touch a fold, an edge of more than 60
 degrees, stay flat, and so do the edges of faces over which the surface would make such an angle with them, as narrow ones that lead from
-large facets to much smaller ones, and of faces over which it would cross what is close by, though the facets do not. So, nearly, do edges that are several times as long as the faces beside them are wide, as along a cylinder,
+large facets to much smaller ones, and faces over which it would run through what is close by, another sheet or another part, though the
+facets do not. So, nearly, do edges that are several times as long as the faces beside them are wide, as along a cylinder,
 and faces that are much larger than others around their corners, as beside a fillet: there the large ones tell the normals. So do plane polygons
 of two faces or more beside which the surface curves three times as much one facet further on, as the flats between fillets of few facets.
 
