@@ -413,76 +413,91 @@ void narrow_faces_between_large_and_tiny_ones_do_not_turn_over()
   }
 }
 
+// A point of a regular polygon around the origin, which has a side, not a corner, on each axis where the sides are a multiple of four.
+std::array<double, 2> corner_of_polygon(std::size_t k, std::size_t sides, double radius)
+{
+  const double a = 2 * CGAL_PI * (double(k) + .5) / double(sides);
+  return {radius * std::cos(a), radius * std::sin(a)};
+}
+
+// The unit sphere as rings of so many sides, which face the axes.
+Soup ball(std::size_t sides)
+{
+  Profile half_circle;
+  for(int k = 1; k < 8; ++k)
+    half_circle.push_back({std::sin(k * CGAL_PI / 8), -std::cos(k * CGAL_PI / 8)});
+  Soup soup = turned(half_circle, sides, false);
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+  {
+    const auto [x, y] = corner_of_polygon(v % sides, sides, half_circle[v / sides][0]);
+    soup.points[v] = {x, y, soup.points[v][2]};
+  }
+  return soup;
+}
+
+// Two turns, with this gap between them, of a helix of radius 1, as a tube of so many sides, which face the next turn.
+Soup spring(std::size_t sides, double radius, double gap)
+{
+  constexpr std::size_t STEPS = 16, TURNS = 2;
+  const double pitch = 2 * radius * std::cos(CGAL_PI / double(sides)) + gap;
+  Soup soup;
+  for(std::size_t i = 0; i <= STEPS * TURNS; ++i)
+    for(std::size_t k = 0; k < sides; ++k)
+    {
+      const double a = 2 * CGAL_PI * double(i) / STEPS;
+      const auto [r, z] = corner_of_polygon(k, sides, radius);
+      soup.points.push_back({(1 + r) * std::cos(a), (1 + r) * std::sin(a), z + pitch * double(i) / STEPS});
+    }
+  for(std::size_t i = 0; i < STEPS * TURNS; ++i)
+    for(std::size_t k = 0; k < sides; ++k)
+    {
+      const std::size_t a = i * sides + k, b = i * sides + (k + 1) % sides;
+      soup.faces.push_back({a, a + sides, b + sides});
+      soup.faces.push_back({a, b + sides, b});
+    }
+  const std::size_t last = STEPS * TURNS * sides;
+  for(std::size_t k = 1; k + 1 < sides; ++k)
+  {
+    soup.faces.push_back({0, k, k + 1});
+    soup.faces.push_back({last, last + k + 1, last + k});
+  }
+  return soup;
+}
+
 // What bulges keeps out of what is close by, another part or the same one. Facets that do not touch each other did: remeshed balls side by
 // side crossed each other in 289 pairs, the turns of a spring in 1039.
 void bulges_keep_out_of_what_is_close_by()
 {
-  const auto check = [](const Mesh& input, double length, const std::string& name)
+  constexpr std::size_t SIDES = 12;
+  constexpr double GAP = .02;
+  const Soup one = ball(SIDES), two = one.joined_with(one.moved(2 * std::cos(CGAL_PI / SIDES) + GAP, 0, 0));
+  for(const auto& [soup, length] : {std::pair(two, .1), std::pair(spring(SIDES, .3, GAP), .06)})
   {
-    CHECK_MESSAGE(!does_self_intersect(input) && !does_self_intersect(tessellation(Mls(input), 3)), name);
+    const Mesh input = to_mesh<Mesh>(soup);
+    CHECK_MESSAGE(!does_self_intersect(input) && !does_self_intersect(tessellation(Mls(input), 3)), length);
     Mesh m = input;
     IAR::isotropic_remeshing(length, m);
-    CHECK_MESSAGE(!does_self_intersect(m), name);
+    CHECK_MESSAGE(!does_self_intersect(m), length);
     // It bulges all the same.
-    CHECK_MESSAGE(PMP::volume(m) > 1.01 * PMP::volume(input), name << ": " << PMP::volume(m) / PMP::volume(input));
-  };
-  // Prisms' sides of bodies of revolution face each other, which are planes, and bulge.
-  constexpr std::size_t SIDES = 12;
-  const double inner = std::cos(CGAL_PI / SIDES), gap = .02;
-  const auto turned_by_half_a_side = [&](double angle, double radius)
-  {
-    return std::array<double, 2>{radius * std::cos(angle + CGAL_PI / SIDES), radius * std::sin(angle + CGAL_PI / SIDES)};
-  };
-  Profile half_circle;
-  for(int k = 1; k < 8; ++k)
-    half_circle.push_back({std::sin(k * CGAL_PI / 8), -std::cos(k * CGAL_PI / 8)});
-  Soup ball = turned(half_circle, SIDES, false);
-  for(auto& [x, y, z] : ball.points)
-  {
-    const double radius = std::hypot(x, y), angle = std::atan2(y, x);
-    const auto p = turned_by_half_a_side(angle, radius);
-    x = p[0];
-    y = p[1];
+    CHECK_MESSAGE(PMP::volume(m) > 1.01 * PMP::volume(input), length << ": " << PMP::volume(m) / PMP::volume(input));
   }
-  check(to_mesh<Mesh>(ball.joined_with(ball.moved(2 * inner + gap, 0, 0))), .1, "balls");
+}
 
-  constexpr std::size_t STEPS = 16, TURNS = 2;
-  const double thickness = .3;
-  Soup spring;
-  for(std::size_t i = 0; i <= STEPS * TURNS; ++i)
-    for(std::size_t k = 0; k < SIDES; ++k)
-    {
-      const double a = 2 * CGAL_PI * double(i) / STEPS;
-      const auto [r, z] = turned_by_half_a_side(2 * CGAL_PI * double(k) / SIDES, thickness);
-      spring.points.push_back({(1 + r) * std::cos(a), (1 + r) * std::sin(a), z + (2 * thickness * inner + gap) * double(i) / STEPS});
-    }
-  for(std::size_t i = 0; i < STEPS * TURNS; ++i)
-    for(std::size_t k = 0; k < SIDES; ++k)
-    {
-      const std::size_t a = i * SIDES + k, b = i * SIDES + (k + 1) % SIDES;
-      spring.faces.push_back({a, a + SIDES, b + SIDES});
-      spring.faces.push_back({a, b + SIDES, b});
-    }
-  const std::size_t last = STEPS * TURNS * SIDES;
-  for(std::size_t k = 1; k + 1 < SIDES; ++k)
-  {
-    spring.faces.push_back({0, k, k + 1});
-    spring.faces.push_back({last, last + k + 1, last + k});
-  }
-  check(to_mesh<Mesh>(spring), .06, "spring");
-
-  // Two faces that have but a pinched vertex in common are close there, and cross nothing.
-  Soup pinched = sphere(2);
+// Two faces that have but a pinched vertex in common are not close by: they cross nothing there, and bulge.
+void faces_at_a_pinched_vertex_bulge()
+{
+  Soup soup = sphere(2);
   std::size_t at_vertex = 0;
   const auto is_left_out = [&](const auto& f) { return std::count(f.begin(), f.end(), std::size_t(0)) > 0 && at_vertex++ % 3 == 0; };
-  pinched.faces.erase(std::remove_if(pinched.faces.begin(), pinched.faces.end(), is_left_out), pinched.faces.end());
-  const Mesh m = to_mesh<Mesh>(pinched);
+  soup.faces.erase(std::remove_if(soup.faces.begin(), soup.faces.end(), is_left_out), soup.faces.end());
+  const Mesh m = to_mesh<Mesh>(soup);
   CHECK(at_vertex == 4 && m.number_of_faces() == 126);
   const Mls mls(m);
   for(const Mesh::Face_index f : m.faces())
   {
-    const auto p = corners(f, m);
-    CHECK(distance(mls.project(CGAL::centroid(p[0], p[1], p[2])), CGAL::centroid(p[0], p[1], p[2])) > 1e-3);
+    const auto [a, b, c] = corners(f, m);
+    const Point centre = CGAL::centroid(a, b, c);
+    CHECK(distance(mls.project(centre), centre) > 1e-3);
   }
 }
 
@@ -1135,6 +1150,7 @@ int main()
   the_surface_does_not_cross_itself();
   narrow_faces_between_large_and_tiny_ones_do_not_turn_over();
   bulges_keep_out_of_what_is_close_by();
+  faces_at_a_pinched_vertex_bulge();
   odd_input_is_survived();
   a_query_keeps_to_its_sheet();
   threads_get_the_same_points();

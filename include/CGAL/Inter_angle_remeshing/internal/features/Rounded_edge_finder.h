@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/curves/curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/Rounded_edges.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/cross_products.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -65,7 +66,7 @@ public:
     find_chains(width, [&](Index h) { return imbalance_on_crest(h, width); });
     settle_free_ends(width, CREST_LENGTH_A_FREE_END);
     std::vector<Index> crests = chosen_edges();
-    if (length_of(crests) < THIN_SHARE * std::sqrt(area())) crests.clear();
+    if (length_of(crests) < THIN_SHARE * std::sqrt(area(mesh_))) crests.clear();
     return crests;
   }
 
@@ -113,13 +114,6 @@ private:
   {
     double sum = 0;
     for (const Index h : chain) sum += length(along(h));
-    return sum;
-  }
-  double area() const
-  {
-    double sum = 0;
-    for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f)
-      if (mesh_.is_face(f)) sum += length(cross(along(4 * f), along(4 * f + 1))) / 2;
     return sum;
   }
   // The unit vector at a right angle to h, which has this length, into its face, which has a normal.
