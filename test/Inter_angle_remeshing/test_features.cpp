@@ -295,6 +295,28 @@ void of_two_sides_of_a_narrow_strip_one_is_a_feature()
   CHECK(sharp > 48 && found_features(m, .5).size() == sharp);
 }
 
+// A ring of square section with a step on top, round or with corners. The ridge of a step far lower than the target length is a feature
+// all around, its groove is none, nor what joins both; of a higher one, or at a shorter length, all of them are.
+void of_a_low_step_the_ridge_is_a_feature()
+{
+  for(const std::size_t n : {4, 8, 48})
+    for(const double step : {.02, .1})
+    {
+      const Mesh m = meshes::to_mesh<Mesh>(meshes::turned({{6, -1}, {6, 1}, {5.5, 1}, {5.5, 1 - step}, {4, 1 - step}, {4, -1}}, n, true));
+      const std::size_t chains = n == 48 ? 6 : 9, at_step = n == 48 ? 1 : 2;        // with those up along the corners
+      CHECK_MESSAGE(found_features(m, 1).size() == n * (step < .05 ? chains - at_step : chains), n << ", " << step << ": "
+                                                                                           << found_features(m, 1).size());
+      CHECK_MESSAGE(found_features(m, .2).size() == n * chains, n << ", " << step << ": " << found_features(m, .2).size());
+      if(step > .05)
+        continue;
+      Mesh output = m;
+      IAR::isotropic_remeshing(1, output);
+      CHECK_MESSAGE(IAR::inter_angle_statistics(output).minimum_angle > 30, IAR::inter_angle_statistics(output).minimum_angle);
+      CHECK_MESSAGE(invariants::surface_distance(m, output).hausdorff() < .06, invariants::surface_distance(m, output).hausdorff());
+      CHECK(!does_self_intersect(output));
+    }
+}
+
 void organic_models_have_next_to_none()
 {
   CHECK(found_features(meshes::to_mesh<Mesh>(meshes::sphere(3))).empty());
@@ -3150,6 +3172,7 @@ int main()
   without_a_length_features_are_those_of_the_mesh();
   cylinders_of_few_facets_are_cad_models();
   of_two_sides_of_a_narrow_strip_one_is_a_feature();
+  of_a_low_step_the_ridge_is_a_feature();
   narrow_strips_have_few_needles();
   a_plate_with_a_groove_stays_a_plate();
   slender_bars_keep_their_edges();

@@ -53,7 +53,8 @@ degrees and more.
 On a CAD model every edge of 40 degrees and more is a feature. But where two chains of them are the sides of a strip, one face
 across and narrower than a twentieth of the length, over which the surface turns by less than 120 degrees, as at a small bevel, only
 the sharper one is; unless such a strip lies on the other side of the weaker one, too, and that between both is at least a twentieth
-of `scale` wide, as around a slender bar. A chain along such a strip to the border is none. A face that is ten times as long as
+of `scale` wide, as around a slender bar. Where the surface turns there and back over a strip narrower than a twentieth of `scale`, at a
+low step, its groove is none. A chain along such a strip to the border is none. A face that is ten times as long as
 high, with a dihedral angle of 150 degrees and more at one of its edges, is a sliver folded onto its neighbor: it counts as if it
 looked as the face at its longest edge does; unless it goes on, by less than 40 degrees, to others, more than 64 of them or all with
 more than a twentieth of the square of their longest edge as area, as beside a knife's edge.

@@ -54,17 +54,17 @@ public:
 
   const Model_kind& kind() const { return kind_; }
 
-  // One half-edge of each feature.
-  std::vector<Index> features()
+  // One half-edge of each feature; low steps are told by the target lengths, by face.
+  std::vector<Index> features(const std::vector<double>& lengths)
   {
     if (kind_.has_voxel_stairs()) return {};
-    if (kind_.is_cad()) return without_narrow_strips(kind_.sharp_edges(Model_kind::CAD_ANGLE));
+    if (kind_.is_cad()) return without_narrow_strips(kind_.sharp_edges(Model_kind::CAD_ANGLE), lengths);
     const std::vector<Index> rims = planar_rims(normals_, kind_.sharp_edges());
-    const std::vector<Index> curves = united(sharp_rings(), without_narrow_strips(kind_.smooth_curves()));
+    const std::vector<Index> curves = united(sharp_rings(), without_narrow_strips(kind_.smooth_curves(), lengths));
     Outstanding_edges outstanding(normals_, own_length_, kind_.sharp_edges());
     if (outstanding.are_none() && rims.empty() && curves.empty()) return {};
     std::vector<Index> found = united(outstanding.find(), united(rims, curves));
-    const std::vector<Index> certain = united(long_rims(rims), curves);
+    const std::vector<Index> certain = united(long_rims(rims, lengths), curves);
     found = long_chains(found, certain, own_length_);
     return length_ > own_length_ ? long_chains(found, certain, length_) : found;
   }
@@ -79,7 +79,7 @@ public:
     const bool may_have_fillets = fillet_width > 0 && (is_cad || normals_.planar_share() >= LEAST_PLANAR_SHARE);
     Found_features result;
     std::vector<Index>& found = result.edges;
-    found = features();
+    found = features(lengths);
     for (const Index h : kind_.creases())
       if (is_coarse(h, lengths[h >> 2]) && is_coarse(mesh_.opposite(h), lengths[mesh_.opposite(h) >> 2]))
         found.push_back(h);
@@ -174,21 +174,22 @@ private:
   }
 
   // Of the edges of rims, sorted, those that are certain to be features: the end of a long thin pipe is small beside the pipe's edges.
-  std::vector<Index> long_rims(const std::vector<Index>& rims) const
+  std::vector<Index> long_rims(const std::vector<Index>& rims, const std::vector<double>& lengths) const
   {
     Feature_graph graph(mesh_, target_length_);
     for (const Index h : rims) graph.add(h, normals_.angle(h));
     graph.drop_short_components(LEAST_RIM);
-    graph.drop_sides_of_strips(NARROW * target_length_, NARROW * target_length_);
+    graph.drop_sides_of_strips(NARROW * target_length_, NARROW * target_length_, [&](Index f) { return NARROW * lengths[f]; });
     return graph.edges();
   }
 
-  // Of these edges, those that are left when no two chains are the sides of a strip too narrow for the length.
-  std::vector<Index> without_narrow_strips(const std::vector<Index>& edges) const
+  // Of these edges, those that are left when no two chains are the sides of a strip too narrow for the length, or of a step too low for
+  // the target lengths, by face.
+  std::vector<Index> without_narrow_strips(const std::vector<Index>& edges, const std::vector<double>& lengths) const
   {
     Feature_graph graph(mesh_, length_);
     for (const Index h : edges) graph.add(h, normals_.angle(h));
-    graph.drop_sides_of_strips(NARROW * length_, NARROW * scale_);
+    graph.drop_sides_of_strips(NARROW * length_, NARROW * scale_, [&](Index f) { return NARROW * lengths[f]; });
     return graph.edges();
   }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/curves/curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/geometry/Point_grid.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/cross_products.h>
 
 #include <algorithm>
 #include <array>
@@ -140,7 +141,9 @@ public:
   // Where two chains are the sides of a strip of faces that is narrower than this, the weaker one goes, and so does one along such a strip
   // to the border: no good triangles fit in between. Not at the rim of a plate, where the surface turns back; nor if the strip is no
   // narrower than `certain_width`, and a strip narrower than `width` lies on the other side of that chain, too, as around a slender bar.
-  void drop_sides_of_strips(double width, double certain_width);
+  // Of a ridge and a groove, at a step that is lower than `step(f)`, too, at its face f, the groove goes.
+  template <class Step>
+  void drop_sides_of_strips(double width, double certain_width, const Step& step);
 
 private:
   struct Network_shape
@@ -198,6 +201,9 @@ private:
   static constexpr double LEAST_REST = 3;              // of a chain, for each of its new ends
   static constexpr double STRIP_SHARE = 0.9;           // of a chain, along a strip
   static constexpr double MOST_TURN = 120;             // of the surface, over the strip
+  static constexpr double ALONG_COSINE = 0.7071067811865476;      // 45 degrees
+  // In widths of a strip: how far its sides are from each other; edges that run beside what they face, or do not, as a whole.
+  static constexpr double MOST_APART = 2, SHORT = 10;
 
   Index number_of(Index v)
   {
@@ -218,6 +224,7 @@ private:
     for (const Index e : incident_[v])
       if (edges_[e].is_left) function(e);
   }
+  Vector3 vector_of(Index e) const { return position(edges_[e].ends[1]) - position(edges_[e].ends[0]); }
   // With the border's edges.
   int degree(Index v) const { return edges_left_[v] + (mesh_.is_border_vertex(vertices_[v]) ? 2 : 0); }
 
@@ -229,6 +236,10 @@ private:
   {
     return std::accumulate(edges.begin(), edges.end(), 0., [&](double sum, Index e) {
       return sum + edges_[e].length * edges_[e].angle; });
+  }
+  double weighted_turn(const std::vector<Index>& edges) const
+  {
+    return std::accumulate(edges.begin(), edges.end(), 0., [&](double sum, Index e) { return sum + edges_[e].length * turn(e); });
   }
   double length_left() const
   {
@@ -269,6 +280,9 @@ private:
   std::vector<std::pair<Index, Vector3>> first_edges(const Chain& chain) const;
   bool runs_beside(const Chain& chain, const std::vector<Vector3>& samples, const Point_grid& others) const;
   bool runs_beside_itself(const Chain& chain) const;
+  bool are_along(Index e, Index k) const;
+  double length_beside(Index e, Index k, double distance) const;
+  double turn(Index e) const;
   std::vector<Chain> chains_strongest_first() const;
   void drop_parallel_chains();
 
@@ -601,37 +615,79 @@ inline void Feature_graph::drop_parallel_chains()
   }
 }
 
-inline void Feature_graph::drop_sides_of_strips(double width, double certain_width)
+// Whether these edges have about the same direction.
+inline bool Feature_graph::are_along(Index e, Index k) const
 {
-  std::vector<double> accepted(vertices_.size(), 0);          // by vertex: the largest angle of an accepted edge there
-  const std::vector<Chain> strongest_first = chains_strongest_first();
+  const Vector3 along = vector_of(e), other = vector_of(k);
+  return is_cosine_at_least(along, other, ALONG_COSINE) || is_cosine_at_least(along, -1. * other, ALONG_COSINE);
+}
+
+// The length along which edge k, which has about the same direction, runs beside e, no farther away than `distance`.
+inline double Feature_graph::length_beside(Index e, Index k, double distance) const
+{
+  const Vector3 &a = position(edges_[e].ends[0]), &c = position(edges_[k].ends[0]);
+  const Vector3 along = (1 / edges_[e].length) * vector_of(e), other = vector_of(k);
+  const double start = dot(along, c - a), advance = dot(along, other);
+  const double from = (std::max)(0., (std::min)(start, start + advance)),
+               to = (std::min)(edges_[e].length, (std::max)(start, start + advance));
+  const auto is_close = [&](double s) {
+    return squared_distance(c + ((s - start) / advance) * other, a + s * along) < distance * distance; };
+  return from < to && is_close(from) && is_close(to) ? to - from : 0.;
+}
+
+// By which the surface turns over the edge, in degrees: less than 0 in a groove.
+inline double Feature_graph::turn(Index e) const
+{
+  const Index h = edges_[e].halfedge;
+  return is_ridge(mesh_, h, cross_product_of_surface(mesh_, h >> 2)) ? edges_[e].angle : -edges_[e].angle;
+}
+
+template <class Step>
+void Feature_graph::drop_sides_of_strips(double width, double certain_width, const Step& step)
+{
+  // Ridges first, for the outline of a low step to lie on one of its sides all around.
+  std::vector<Chain> in_order = chains_strongest_first();
+  std::stable_partition(in_order.begin(), in_order.end(), [&](const Chain& c) { return weighted_turn(c.edges) >= 0; });
   std::vector<Index> chain_of(edges_.size(), -1);
-  for (std::size_t i = 0; i < strongest_first.size(); ++i)
-    for (const Index e : strongest_first[i].edges) chain_of[e] = Index(i);
+  for (std::size_t i = 0; i < in_order.size(); ++i)
+    for (const Index e : in_order[i].edges) chain_of[e] = Index(i);
+  std::vector<char> is_accepted(edges_.size(), 0);
   const auto is_low = [&](Index h) { return h >= 0 && mesh_.altitude(h) < width; };
-  const auto is_strip = [&](Index h) { return is_low(h) && number_[mesh_.apex(h)] >= 0; };
+  const auto edges_at_apex = [&](Index h) {
+    std::vector<Index> edges;
+    if (const Index v = number_[mesh_.apex(h)]; v >= 0) for_each_incident(v, [&](Index k) { edges.push_back(k); });
+    return edges;
+  };
   // A low face of a flat may lie between edges of the same chain.
-  const auto is_strip_to_other_chain = [&](Index edge, Index h) {
-    if (!is_strip(h)) return false;
-    const std::vector<Index>& at_apex = incident_[number_[mesh_.apex(h)]];
-    return std::any_of(at_apex.begin(), at_apex.end(), [&](Index k) { return chain_of[k] != chain_of[edge]; });
+  const auto is_strip_to_other_chain = [&](Index e, Index h) {
+    const std::vector<Index> edges = is_low(h) ? edges_at_apex(h) : std::vector<Index>();
+    return std::any_of(edges.begin(), edges.end(), [&](Index k) { return chain_of[k] != chain_of[e]; });
   };
-  const auto is_beside = [&](Index edge, Index h) {
-    const Edge& e = edges_[edge];
-    if (is_low(h) && mesh_.is_border_vertex(mesh_.apex(h))) return true;
-    if (!is_strip(h) || (mesh_.altitude(h) >= certain_width && is_strip_to_other_chain(edge, mesh_.opposite(h)))) return false;
-    const double angle = accepted[number_[mesh_.apex(h)]];
-    return angle > 0 && angle + e.angle < MOST_TURN;
-  };
-  for (const Chain& chain : strongest_first) {
+  // The length of e along which accepted edges run on the other side of the face of h, a half-edge of e.
+  const auto length_over = [&](Index e, Index h) {
+    const double all = edges_[e].length;
+    if (!is_low(h)) return 0.;
+    if (mesh_.is_border_vertex(mesh_.apex(h))) return all;
+    if (mesh_.altitude(h) >= certain_width && is_strip_to_other_chain(e, mesh_.opposite(h))) return 0.;
+    std::vector<Index> accepted = edges_at_apex(h);
+    accepted.erase(std::remove_if(accepted.begin(), accepted.end(), [&](Index k) { return !is_accepted[k]; }), accepted.end());
+    const bool is_low_step = mesh_.altitude(h) < step(h >> 2),
+               turns_back = std::any_of(accepted.begin(), accepted.end(), [&](Index k) {
+                 return edges_[e].angle + edges_[k].angle >= MOST_TURN; });
     double beside = 0;
-    for (const Index i : chain.edges) {
-      const Edge& e = edges_[i];
-      if (is_beside(i, e.halfedge) || is_beside(i, mesh_.opposite(e.halfedge))) beside += e.length;
+    for (const Index k : accepted)
+      if (are_along(e, k) && (turn(e) * turn(k) < 0 ? is_low_step : !turns_back))
+        beside += all < SHORT * width ? all : length_beside(e, k, MOST_APART * width);
+    return beside > all / 2 ? all : beside;
+  };
+  for (const Chain& chain : in_order) {
+    double beside = 0;
+    for (const Index e : chain.edges) {
+      const Index h = edges_[e].halfedge;
+      beside += (std::min)(edges_[e].length, length_over(e, h) + length_over(e, mesh_.opposite(h)));
     }
-    if (beside > STRIP_SHARE * length_of(chain.edges)) { drop(chain.edges); continue; }
-    for (const Index i : chain.edges)
-      for (const Index v : edges_[i].ends) accepted[v] = (std::max)(accepted[v], edges_[i].angle);
+    if (beside > STRIP_SHARE * length_of(chain.edges)) drop(chain.edges);
+    else for (const Index e : chain.edges) is_accepted[e] = 1;
   }
   for (const Chain& chain : chains())                          // the ends of strips
     if (chain.free_ends > 0 && length_of(chain.edges) < width) drop(chain.edges);

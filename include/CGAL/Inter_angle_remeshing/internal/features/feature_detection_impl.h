@@ -21,7 +21,7 @@ std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh)
 {
   Feature_detector detector(mesh, 0);
   return features_with_parts(mesh, detector, 0, std::vector<double>(mesh.number_of_face_slots(), mean_edge_length(mesh)),
-                             [](Feature_detector& d, const std::vector<double>&) { return d.features(); }).edges;
+                             [](Feature_detector& d, const std::vector<double>& lengths) { return d.features(lengths); }).edges;
 }
 
 CGAL_INTER_ANGLE_REMESHING_INLINE

@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/geometry/Point_grid.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/cross_products.h>
 
 #include <algorithm>
 #include <cmath>
@@ -114,10 +115,6 @@ private:
   // A relief goes on to both sides: its end is none.
   bool is_between_narrow_faces(Index h) const { return is_narrow(h) && is_narrow(mesh_.opposite(h)); }
   bool is_narrow(Index h) const { return mesh_.altitude(h) < target_length_[h >> 2]; }
-  bool is_ridge(Index h) const
-  {
-    return dot(normal_[h >> 2], mesh_.position(mesh_.apex(mesh_.opposite(h))) - mesh_.position(mesh_.origin(h))) < 0;
-  }
 
   template <class Function>
   void for_each_piece(Index h, int level, const Function& function) const
@@ -130,7 +127,7 @@ private:
 
   void add(Index h)
   {
-    const bool is_on_ridge = is_ridge(h);
+    const bool is_on_ridge = is_ridge(mesh_, h, normal_[h >> 2]);
     for_each_piece_with_faces(h, [&](const Key& k, const Vector3& p, double l, const Vector3& normal, double area) {
       Cell& cell = cells_[k];
       (is_on_ridge ? cell.ridges : cell.grooves).add(l, l * p);

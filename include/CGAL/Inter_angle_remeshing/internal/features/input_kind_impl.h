@@ -58,7 +58,7 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, do
   const Features_with_parts found = features_with_parts(mesh, detector, target.length, lengths,
                                                         [&](Feature_detector& of_part, const std::vector<double>& lengths_there) {
     if (!kind.searches_features) return std::vector<Remeshing_mesh::Index>();
-    if (keeps_vertices) return of_part.features();
+    if (keeps_vertices) return of_part.features(lengths_there);
     Found_features there = of_part.features_for(lengths_there, recipe.fillet_width, recipe.relief_density);
     if (&of_part == &detector) kind.rounded_edges = std::move(there.rounded);
     return there.edges;
