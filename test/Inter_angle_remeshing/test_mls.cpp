@@ -999,6 +999,40 @@ void long_facets_stay_straight()
     }
 }
 
+// Discs whose rims are rounded by a few facets: as much as these turn, the normals at the ends of the sides had been turned, and the sides
+// between had become barrels.
+void sides_between_fillets_stay_straight()
+{
+  using meshes::arc;
+  constexpr double TINY = 1e-3, R = .1;
+  for(const std::size_t n : {18, 36, 60})
+    for(const std::size_t facets : {3, 4, 6})
+    {
+      const meshes::Profile profile = meshes::joined({{TINY, 0}}, meshes::joined(arc(2 - R, R, R, -.5, 0, facets + 1),
+                                                     meshes::joined(arc(2 - R, 1 - R, R, 0, .5, facets + 1), {{TINY, 1}})));
+      const Mesh input = to_mesh<Mesh>(meshes::turned(profile, n, false));
+      const double sagitta = 2 * (1 - std::cos(CGAL_PI / double(n)));
+      for(const double length : {.1, .05})
+      {
+        if(is_small_run() && (n != 36 || facets != 3))
+          continue;
+        Mesh m = input;
+        IAR::isotropic_remeshing(length, m);
+        double least = 2, largest = 2;
+        for(const auto v : m.vertices())
+          if(const Point& p = m.point(v); p.z() > .3 && p.z() < .7)
+          {
+            const double r = std::hypot(p.x(), p.y());
+            least = std::min(least, r);
+            largest = std::max(largest, r);
+          }
+        CHECK_MESSAGE(largest < 2 + .25 * sagitta + .1 * length && least > 2 - sagitta - .1 * length,
+                      n << ", " << facets << ", " << length << ": " << least << " to " << largest);
+        CHECK(!does_self_intersect(m));
+      }
+    }
+}
+
 // A cone of 4000 facets: from where a vertex was to where it is pulled back, walks pass hundreds of them.
 void walks_pass_any_number_of_facets()
 {
@@ -1168,6 +1202,7 @@ int main()
   planes_that_meet_stay_planes();
   disks_within_marked_rims_stay_flat();
   long_facets_stay_straight();
+  sides_between_fillets_stay_straight();
   walks_pass_any_number_of_facets();
   a_fit_comes_nearer();
   the_closest_recipe_comes_nearer_still();

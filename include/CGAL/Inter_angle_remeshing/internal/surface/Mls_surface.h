@@ -171,6 +171,7 @@ private:
     return !is_flat_polygon_.empty() && polygons_[h >> 2] >= 0 && is_flat_polygon_[polygons_[h >> 2]] != 0;
   }
   Vector3 normal_of_flats(const std::vector<Index>& sector) const;
+  Vector3 normal_at_tangent_rims(const std::vector<Index>& sector) const;
   Vector3 normal_of_uneven_sector(const std::vector<Index>& sector) const;
   void fit_sector(const std::vector<Index>& sector, std::vector<Vector3>& offsets);
   void find_rises();
@@ -190,6 +191,7 @@ private:
   std::vector<char> is_on_fold_;             // by vertex
   Planar_polygons polygons_;
   std::vector<char> is_flat_polygon_;
+  std::vector<char> tangent_rims_;           // by face: a bit for each edge at which what is beyond curves more
   std::vector<Vector3> normals_;             // unit, by sector
   std::vector<Vector3> tangents_;            // unit, by vertex on a feature; zero at corners
 };
@@ -353,7 +355,7 @@ inline bool Mls_surface::is_tangent_rim(Index h) const
   const double curvature = turn_over(h) / (width + next_width);
   const auto curves_more_beyond = [&](Index e) {
     const Index beyond = surface_->opposite(e);
-    if (beyond < 0 || is_feature(e) || polygons_[beyond >> 2] < 0 || polygons_[beyond >> 2] == polygons_[h >> 2]) return false;
+    if (beyond < 0 || polygons_[beyond >> 2] < 0 || polygons_[beyond >> 2] == polygons_[h >> 2]) return false;
     const double other = turn_over(e) / (width_at(e) + width_at(beyond));
     return curvature * other > 0 && std::abs(curvature) < TANGENT * std::abs(other);
   };
@@ -376,6 +378,7 @@ inline void Mls_surface::find_flats()
   struct Rim { double length = 0, tangent = 0; };
   if (curved_.empty()) return;
   std::vector<Rim> rims(polygons_.size());
+  tangent_rims_.assign(faces_.size(), 0);
   for (Index h = 0; h < 4 * Index(faces_.size()); ++h) {
     if ((h & 3) == 3 || polygons_[h >> 2] < 0 || !polygons_.is_exact(polygons_[h >> 2]) || is_feature(h)) continue;
     const Index o = surface_->opposite(h);
@@ -383,7 +386,9 @@ inline void Mls_surface::find_flats()
     const double l = length(surface_->position(surface_->target(h)) - surface_->position(surface_->origin(h)));
     Rim& rim = rims[polygons_[h >> 2]];
     rim.length += l;
-    if (is_tangent_rim(h)) rim.tangent += l;
+    if (!is_tangent_rim(h)) continue;
+    rim.tangent += l;
+    tangent_rims_[h >> 2] |= char(1 << (h & 3));
   }
   is_flat_polygon_.assign(rims.size(), 0);
   for (std::size_t i = 0; i < rims.size(); ++i)
@@ -401,6 +406,22 @@ inline Vector3 Mls_surface::normal_of_flats(const std::vector<Index>& sector) co
     sum += length(c) * c;
   }
   return sum;
+}
+
+// The normal, not of unit length, of the facets of a sector behind whose edges begins what curves more, tangent to them, as at the ends
+// of a cylinder between two fillets: the shorter these edges are, the nearer it is to a facet's. Zero where there are less than two.
+inline Vector3 Mls_surface::normal_at_tangent_rims(const std::vector<Index>& sector) const
+{
+  Vector3 sum;
+  int rims = 0;
+  for (const Index h : sector)
+    for (const Index e : {h, surface_->prev(h)}) {
+      if ((tangent_rims_[e >> 2] >> (e & 3) & 1) == 0) continue;
+      ++rims;
+      const Vector3& c = polygons_.cross_product(polygons_[e >> 2]);
+      sum += (1 / (length(c) * length(surface_->position(surface_->target(e)) - surface_->position(surface_->origin(e))))) * c;
+    }
+  return rims > 1 ? sum : Vector3();
 }
 
 // The larger a facet is, the less it turns from the surface, where all are as near to it: a fillet is tangent to the flats that it
@@ -459,6 +480,7 @@ inline void Mls_surface::fit_sector(const std::vector<Index>& sector, std::vecto
   const double l = length(sum);
   if (!(l > 0) || !(scale > 0)) return;
   Vector3 normal = normal_of_flats(sector);
+  if (!(length(normal) > 0)) normal = normal_at_tangent_rims(sector);
   if (!(length(normal) > 0)) normal = normal_of_uneven_sector(sector);
   const double n = length(normal);
   for (const Index h : sector) faces_[h >> 2].sector[h & 3] = Index(normals_.size());
