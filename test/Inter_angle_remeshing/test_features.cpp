@@ -309,12 +309,45 @@ void of_a_low_step_the_ridge_is_a_feature()
       CHECK_MESSAGE(found_features(m, .2).size() == n * chains, n << ", " << step << ": " << found_features(m, .2).size());
       if(step > .05)
         continue;
+      std::size_t of_ridge = 0, of_groove = 0;
+      for(const Edge e : found_features(m, 1))
+        if(const Point &p = m.point(m.vertex(e, 0)), &q = m.point(m.vertex(e, 1));
+           std::abs(std::hypot(p.x(), p.y()) - 5.5) < 1e-9 && std::abs(std::hypot(q.x(), q.y()) - 5.5) < 1e-9)
+          ++(p.z() == 1 && q.z() == 1 ? of_ridge : of_groove);
+      CHECK_MESSAGE(of_ridge == n && of_groove == 0, of_ridge << ", " << of_groove);
       Mesh output = m;
       IAR::isotropic_remeshing(1, output);
       CHECK_MESSAGE(IAR::inter_angle_statistics(output).minimum_angle > 30, IAR::inter_angle_statistics(output).minimum_angle);
       CHECK_MESSAGE(invariants::surface_distance(m, output).hausdorff() < .06, invariants::surface_distance(m, output).hausdorff());
       CHECK(!does_self_intersect(output));
     }
+}
+
+// A plate whose sides have a vertex amid each edge of the top, which the top lacks: a face without an area lies between, at which nothing
+// shows on which side of it the surface is. The top's edges were taken for grooves, of low steps.
+void rims_at_faces_without_an_area_are_no_grooves()
+{
+  for(const bool slivers_first : {false, true})
+  {
+    Soup plate;
+    plate.points = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {0, 0, .02}, {10, 0, .02}, {10, 10, .02}, {0, 10, .02},
+                    {5, 0, .02}, {10, 5, .02}, {5, 10, .02}, {0, 5, .02}};
+    decltype(plate.faces) slivers, others = {{4, 5, 6}, {4, 6, 7}, {0, 2, 1}, {0, 3, 2}};
+    for(std::size_t i = 0; i < 4; ++i)
+    {
+      const std::size_t k = (i + 1) % 4, middle = 8 + i;
+      slivers.push_back({4 + i, middle, 4 + k});
+      others.insert(others.begin(), {{i, k, middle}, {i, middle, 4 + i}, {k, 4 + k, middle}});
+    }
+    plate.faces = slivers_first ? slivers : others;
+    const auto& rest = slivers_first ? others : slivers;
+    plate.faces.insert(plate.faces.end(), rest.begin(), rest.end());
+    const Mesh m = meshes::to_mesh<Mesh>(plate);
+    std::size_t on_top = 0;
+    for(const Edge e : found_features(m, 1))
+      on_top += m.point(m.vertex(e, 0)).z() > .01 && m.point(m.vertex(e, 1)).z() > .01;
+    CHECK_MESSAGE(on_top >= 4, slivers_first << ": " << on_top);
+  }
 }
 
 void organic_models_have_next_to_none()
@@ -3173,6 +3206,7 @@ int main()
   cylinders_of_few_facets_are_cad_models();
   of_two_sides_of_a_narrow_strip_one_is_a_feature();
   of_a_low_step_the_ridge_is_a_feature();
+  rims_at_faces_without_an_area_are_no_grooves();
   narrow_strips_have_few_needles();
   a_plate_with_a_groove_stays_a_plate();
   slender_bars_keep_their_edges();

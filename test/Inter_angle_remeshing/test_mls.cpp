@@ -1018,7 +1018,7 @@ void sides_between_fillets_stay_straight()
           continue;
         Mesh m = input;
         IAR::isotropic_remeshing(length, m);
-        double least = 2, largest = 2;
+        double least = 3, largest = 0;
         for(const auto v : m.vertices())
           if(const Point& p = m.point(v); p.z() > .3 && p.z() < .7)
           {

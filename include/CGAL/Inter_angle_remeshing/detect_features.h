@@ -51,13 +51,14 @@ What has grown and is as flat as a leaf is none, either: of the vertices of edge
 .5% are free ends, more than 10% are free ends or junctions, and over more than 15% of the length of these edges the surface turns by 120
 degrees and more.
 On a CAD model every edge of 40 degrees and more is a feature. But where two chains of them are the sides of a strip, one face
-across and narrower than a twentieth of the length, over which the surface turns by less than 120 degrees, as at a small bevel, only
-the sharper one is; unless such a strip lies on the other side of the weaker one, too, and that between both is at least a twentieth
-of `scale` wide, as around a slender bar. Where the surface turns there and back over a strip narrower than a twentieth of `scale`, at a
-low step, its groove is none. A chain along such a strip to the border is none. A face that is ten times as long as
-high, with a dihedral angle of 150 degrees and more at one of its edges, is a sliver folded onto its neighbor: it counts as if it
-looked as the face at its longest edge does; unless it goes on, by less than 40 degrees, to others, more than 64 of them or all with
-more than a twentieth of the square of their longest edge as area, as beside a knife's edge.
+across and narrower than a twentieth of the length, over which the surface turns to one side by less than 120 degrees, as at a
+small bevel, only the sharper one is; unless such a strip lies on the other side of the weaker one, too, and that between both
+is at least a twentieth of `scale` wide, as around a slender bar. A chain along such a strip to the border is none. Where the
+surface turns there and back over a strip narrower than a twentieth of `scale`, or of the mean edge without one, at a low step,
+its groove is none. Sides of a strip have about the same direction, within 45 degrees. A face that is ten times as long as high,
+with a dihedral angle of 150 degrees and more at one of its edges, is a sliver folded onto its neighbor: it counts as if it
+looked as the face at its longest edge does; unless it goes on, by less than 40 degrees, to others, more than 64 of them or all
+with more than a twentieth of the square of their longest edge as area, as beside a knife's edge.
 
 If not, it is an organic model or a noisy one. Each of its components, faces that hang together by edges, that is a CAD model by these
 rules on its own, and has an area of at least 24 squares of `scale`, or of the mean edge without one, has the features of one, all the same.

@@ -60,6 +60,13 @@ public:
   // In degrees.
   double angle(Index h) const { return std::acos((std::max)(-1., (std::min)(1., cosine(h)))) * (180 / CGAL_PI); }
 
+  // The same, less than 0 in a groove.
+  double turn(Index h) const
+  {
+    const Vector3 way = mesh_.position(mesh_.target(h)) - mesh_.position(mesh_.origin(h));
+    return dot(cross(normal_[h >> 2], normal_[mesh_.opposite(h) >> 2]), way) < 0 ? -angle(h) : angle(h);
+  }
+
   // Whether the face of h goes on in its plane over the edge of h.
   bool is_planar_at(Index h) const { return mesh_.opposite(h) >= 0 && cosine(h) > planar_cosine_; }
   // Whether these faces lie in planes of the same direction.

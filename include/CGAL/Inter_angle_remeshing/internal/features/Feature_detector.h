@@ -177,7 +177,7 @@ private:
   std::vector<Index> long_rims(const std::vector<Index>& rims, const std::vector<double>& lengths) const
   {
     Feature_graph graph(mesh_, target_length_);
-    for (const Index h : rims) graph.add(h, normals_.angle(h));
+    for (const Index h : rims) graph.add(h, normals_.turn(h));
     graph.drop_short_components(LEAST_RIM);
     graph.drop_sides_of_strips(NARROW * target_length_, NARROW * target_length_, [&](Index f) { return NARROW * lengths[f]; });
     return graph.edges();
@@ -188,7 +188,7 @@ private:
   std::vector<Index> without_narrow_strips(const std::vector<Index>& edges, const std::vector<double>& lengths) const
   {
     Feature_graph graph(mesh_, length_);
-    for (const Index h : edges) graph.add(h, normals_.angle(h));
+    for (const Index h : edges) graph.add(h, normals_.turn(h));
     graph.drop_sides_of_strips(NARROW * length_, NARROW * scale_, [&](Index f) { return NARROW * lengths[f]; });
     return graph.edges();
   }

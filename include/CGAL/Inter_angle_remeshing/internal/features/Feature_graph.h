@@ -8,7 +8,6 @@
 #include <CGAL/Inter_angle_remeshing/internal/curves/curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/geometry/Point_grid.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh.h>
-#include <CGAL/Inter_angle_remeshing/internal/mesh/cross_products.h>
 
 #include <algorithm>
 #include <array>
@@ -42,16 +41,17 @@ public:
     for (const Index h : edges) add(h, 0);
   }
 
-  // Edges that are certain to be features are not dropped by prune() or cut_out(). Where lengths are others than `length`, that of the
-  // edge counts so many times.
-  void add(Index h, double angle, bool is_certain = false, double times = 1)
+  // `turn`: by which the surface turns over the edge, in degrees, less than 0 in a groove; the sign matters to drop_sides_of_strips()
+  // alone. Edges that are certain to be features are not dropped by prune() or cut_out(). Where lengths are others than `length`, that of
+  // the edge counts so many times.
+  void add(Index h, double turn, bool is_certain = false, double times = 1)
   {
     const std::array<Index, 2> ends = {number_of(mesh_.origin(h)), number_of(mesh_.target(h))};
     for (const Index v : ends) {
       incident_[v].push_back(Index(edges_.size()));
       ++edges_left_[v];
     }
-    edges_.push_back({h, ends, angle, times * std::sqrt(mesh_.squared_edge_length(h)), true, is_certain});
+    edges_.push_back({h, ends, std::abs(turn), times * std::sqrt(mesh_.squared_edge_length(h)), true, is_certain, turn < 0});
   }
 
   // The half-edges of the edges that are left.
@@ -138,10 +138,10 @@ public:
     drop_short_components(2 * DANGLING_LENGTH);
   }
 
-  // Where two chains are the sides of a strip of faces that is narrower than this, the weaker one goes, and so does one along such a strip
-  // to the border: no good triangles fit in between. Not at the rim of a plate, where the surface turns back; nor if the strip is no
-  // narrower than `certain_width`, and a strip narrower than `width` lies on the other side of that chain, too, as around a slender bar.
-  // Of a ridge and a groove, at a step that is lower than `step(f)`, too, at its face f, the groove goes.
+  // Where two chains, ridges or grooves, are the sides of a strip of faces that is narrower than this, the weaker one goes, and so does one
+  // along such a strip to the border: no good triangles fit in between. Not at the rim of a plate, where the surface turns back; nor if
+  // the strip is no narrower than `certain_width`, and a strip narrower than `width` lies on the other side of that chain, too, as around
+  // a slender bar. Of a ridge and a groove, where the step is lower than `step(f)`, too, at its face f, the groove goes, else none.
   template <class Step>
   void drop_sides_of_strips(double width, double certain_width, const Step& step);
 
@@ -171,7 +171,7 @@ private:
     Index halfedge;
     std::array<Index, 2> ends;
     double angle, length;              // degrees; units of the mesh
-    bool is_left, is_certain;
+    bool is_left, is_certain, is_groove;
   };
   struct Chain
   {
@@ -239,7 +239,8 @@ private:
   }
   double weighted_turn(const std::vector<Index>& edges) const
   {
-    return std::accumulate(edges.begin(), edges.end(), 0., [&](double sum, Index e) { return sum + edges_[e].length * turn(e); });
+    return std::accumulate(edges.begin(), edges.end(), 0., [&](double sum, Index e) {
+      return sum + edges_[e].length * (edges_[e].is_groove ? -1 : 1) * edges_[e].angle; });
   }
   double length_left() const
   {
@@ -282,7 +283,6 @@ private:
   bool runs_beside_itself(const Chain& chain) const;
   bool are_along(Index e, Index k) const;
   double length_beside(Index e, Index k, double distance) const;
-  double turn(Index e) const;
   std::vector<Chain> chains_strongest_first() const;
   void drop_parallel_chains();
 
@@ -635,13 +635,6 @@ inline double Feature_graph::length_beside(Index e, Index k, double distance) co
   return from < to && is_close(from) && is_close(to) ? to - from : 0.;
 }
 
-// By which the surface turns over the edge, in degrees: less than 0 in a groove.
-inline double Feature_graph::turn(Index e) const
-{
-  const Index h = edges_[e].halfedge;
-  return is_ridge(mesh_, h, cross_product_of_surface(mesh_, h >> 2)) ? edges_[e].angle : -edges_[e].angle;
-}
-
 template <class Step>
 void Feature_graph::drop_sides_of_strips(double width, double certain_width, const Step& step)
 {
@@ -654,9 +647,8 @@ void Feature_graph::drop_sides_of_strips(double width, double certain_width, con
   std::vector<char> is_accepted(edges_.size(), 0);
   const auto is_low = [&](Index h) { return h >= 0 && mesh_.altitude(h) < width; };
   const auto edges_at_apex = [&](Index h) {
-    std::vector<Index> edges;
-    if (const Index v = number_[mesh_.apex(h)]; v >= 0) for_each_incident(v, [&](Index k) { edges.push_back(k); });
-    return edges;
+    const Index v = number_[mesh_.apex(h)];
+    return v >= 0 ? incident_[v] : std::vector<Index>();
   };
   // A low face of a flat may lie between edges of the same chain.
   const auto is_strip_to_other_chain = [&](Index e, Index h) {
@@ -676,7 +668,7 @@ void Feature_graph::drop_sides_of_strips(double width, double certain_width, con
                  return edges_[e].angle + edges_[k].angle >= MOST_TURN; });
     double beside = 0;
     for (const Index k : accepted)
-      if (are_along(e, k) && (turn(e) * turn(k) < 0 ? is_low_step : !turns_back))
+      if (are_along(e, k) && (edges_[e].is_groove == edges_[k].is_groove ? !turns_back : edges_[e].is_groove && is_low_step))
         beside += all < SHORT * width ? all : length_beside(e, k, MOST_APART * width);
     return beside > all / 2 ? all : beside;
   };

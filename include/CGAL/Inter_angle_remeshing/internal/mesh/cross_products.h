@@ -8,7 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/geometry/Vector3.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh.h>
 
-// Where the surface looks at a face without an area, and at a vertex, and which way it bends over an edge. CAD systems leave such faces along edges at which the faces of one
+// Where the surface looks at a face without an area, and at a vertex. CAD systems leave such faces along edges at which the faces of one
 // side have vertices that those of the other side lack.
 
 namespace CGAL {
@@ -39,12 +39,6 @@ inline Vector3 cross_product_of_surface(const Remeshing_mesh& mesh, Remeshing_me
   return {};
 }
 
-// Whether the surface bends away over the edge of h, from the side to which n points: where its face looks.
-inline bool is_ridge(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Vector3& n)
-{
-  return dot(n, mesh.position(mesh.apex(mesh.opposite(h))) - mesh.position(mesh.origin(h))) < 0;
-}
-
 // The sum of the cross products of the faces around v.
 inline Vector3 star_cross_product(const Remeshing_mesh& mesh, Remeshing_mesh::Index v)
 {
@@ -53,6 +47,12 @@ inline Vector3 star_cross_product(const Remeshing_mesh& mesh, Remeshing_mesh::In
     sum += triangle_cross(mesh.position(v), mesh.position(mesh.target(h)), mesh.position(mesh.apex(h)));
   });
   return sum;
+}
+
+// Whether the surface bends away over the edge of h, from the side to which n points: where its face looks.
+inline bool is_ridge(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Vector3& n)
+{
+  return dot(n, mesh.position(mesh.apex(mesh.opposite(h))) - mesh.position(mesh.origin(h))) < 0;
 }
 
 // The area of the mesh, in its own units.

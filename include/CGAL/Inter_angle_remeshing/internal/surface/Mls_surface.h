@@ -343,8 +343,8 @@ inline double Mls_surface::width_at(Index h) const
 }
 
 // Whether behind h begins what curves, tangent to the polygon of h: over h the surface curves less, by the angles over the widths,
-// than over an edge behind the next polygon, to the same side; and that one is narrower. Inscribed facets turn from a flat by half
-// of what they turn from each other.
+// than over an edge behind the next polygon, which may be a feature, to the same side; and that one is narrower. Inscribed facets turn
+// from a flat by half of what they turn from each other.
 inline bool Mls_surface::is_tangent_rim(Index h) const
 {
   constexpr double TANGENT = 0.35, NARROWER = 2.5;
@@ -409,7 +409,7 @@ inline Vector3 Mls_surface::normal_of_flats(const std::vector<Index>& sector) co
 }
 
 // The normal, not of unit length, of the facets of a sector behind whose edges begins what curves more, tangent to them, as at the ends
-// of a cylinder between two fillets: the shorter these edges are, the nearer it is to a facet's. Zero where there are less than two.
+// of a cylinder between two fillets: the shorter these edges are, the nearer it is to a facet's. Zero where there are less than two edges.
 inline Vector3 Mls_surface::normal_at_tangent_rims(const std::vector<Index>& sector) const
 {
   Vector3 sum;
