@@ -1006,10 +1006,10 @@ void sides_between_fillets_stay_straight()
   using meshes::arc;
   constexpr double TINY = 1e-3, R = .1;
   for(const std::size_t n : {18, 36, 60})
-    for(const std::size_t facets : {3, 4, 6})
+    for(const int facets : {3, 4, 6})
     {
-      const meshes::Profile profile = meshes::joined({{TINY, 0}}, meshes::joined(arc(2 - R, R, R, -.5, 0, facets + 1),
-                                                     meshes::joined(arc(2 - R, 1 - R, R, 0, .5, facets + 1), {{TINY, 1}})));
+      const meshes::Profile profile = meshes::joined({{TINY, 0}}, meshes::joined(arc(2 - R, R, R, -.5, 0, facets),
+                                                     meshes::joined(arc(2 - R, 1 - R, R, 0, .5, facets), {{TINY, 1}})));
       const Mesh input = to_mesh<Mesh>(meshes::turned(profile, n, false));
       const double sagitta = 2 * (1 - std::cos(CGAL_PI / double(n)));
       for(const double length : {.1, .05})

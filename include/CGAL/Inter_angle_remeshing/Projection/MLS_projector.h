@@ -36,7 +36,8 @@ degrees, stay flat, and so do the edges of faces over which the surface would ma
 large facets to much smaller ones, and faces over which it would run through what is close by, another sheet or another part, though the
 facets do not. So, nearly, do edges that are several times as long as the faces beside them are wide, as along a cylinder,
 and faces that are much larger than others around their corners, as beside a fillet: there the large ones tell the normals. So do plane polygons
-of two faces or more beside which the surface curves three times as much one facet further on, as the flats between fillets of few facets.
+of two faces or more beside which the surface curves three times as much one facet further on, as the flats between fillets of few facets,
+and two of them at a vertex, as the facets of a cylinder between such fillets.
 
 No point P of the surface is further from its face than 0.15 times the mean edge length of the face; a projection lies
 within another 0.3 of these of P, so that a result is never further than 0.45 mean edge lengths from the mesh.

@@ -63,8 +63,7 @@ public:
   // The same, less than 0 in a groove.
   double turn(Index h) const
   {
-    const Vector3 way = mesh_.position(mesh_.target(h)) - mesh_.position(mesh_.origin(h));
-    return dot(cross(normal_[h >> 2], normal_[mesh_.opposite(h) >> 2]), way) < 0 ? -angle(h) : angle(h);
+    return is_groove(mesh_, h, normal_[h >> 2], normal_[mesh_.opposite(h) >> 2]) ? -angle(h) : angle(h);
   }
 
   // Whether the face of h goes on in its plane over the edge of h.

@@ -9,7 +9,6 @@
 #include <CGAL/Inter_angle_remeshing/internal/features/Feature_graph.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/jagged_chamfers.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/voxel_surface.h>
-#include <CGAL/Inter_angle_remeshing/internal/mesh/cross_products.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/mesh_regions.h>
 
 #include <algorithm>
@@ -251,8 +250,8 @@ private:
     struct Edges { int ridges = 0, grooves = 0; };
     std::vector<Edges> edges_at(mesh_.number_of_vertex_slots());
     for (const Index h : edges) {
-      const bool is_on_ridge = is_ridge(mesh_, h, normals_[h >> 2]);
-      for (const Index v : {mesh_.origin(h), mesh_.target(h)}) ++(is_on_ridge ? edges_at[v].ridges : edges_at[v].grooves);
+      const bool is_in_groove = normals_.turn(h) < 0;
+      for (const Index v : {mesh_.origin(h), mesh_.target(h)}) ++(is_in_groove ? edges_at[v].grooves : edges_at[v].ridges);
     }
     for (Index v = 0; v < Index(edges_at.size()); ++v) {
       const Edges& e = edges_at[v];

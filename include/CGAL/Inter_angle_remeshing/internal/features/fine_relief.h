@@ -127,10 +127,10 @@ private:
 
   void add(Index h)
   {
-    const bool is_on_ridge = is_ridge(mesh_, h, normal_[h >> 2]);
+    const bool is_in_groove = is_groove(mesh_, h, normal_[h >> 2], normal_[mesh_.opposite(h) >> 2]);
     for_each_piece_with_faces(h, [&](const Key& k, const Vector3& p, double l, const Vector3& normal, double area) {
       Cell& cell = cells_[k];
-      (is_on_ridge ? cell.ridges : cell.grooves).add(l, l * p);
+      (is_in_groove ? cell.grooves : cell.ridges).add(l, l * p);
       cell.add_faces(normal, area);
     });
   }

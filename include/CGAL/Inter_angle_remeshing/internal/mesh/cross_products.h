@@ -49,10 +49,10 @@ inline Vector3 star_cross_product(const Remeshing_mesh& mesh, Remeshing_mesh::In
   return sum;
 }
 
-// Whether the surface bends away over the edge of h, from the side to which n points: where its face looks.
-inline bool is_ridge(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Vector3& n)
+// Whether the surface rises on both sides of the edge of h, where the face of h looks in direction n and the one behind in direction m.
+inline bool is_groove(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Vector3& n, const Vector3& m)
 {
-  return dot(n, mesh.position(mesh.apex(mesh.opposite(h))) - mesh.position(mesh.origin(h))) < 0;
+  return dot(cross(n, m), mesh.position(mesh.target(h)) - mesh.position(mesh.origin(h))) < 0;
 }
 
 // The area of the mesh, in its own units.
