@@ -27,17 +27,17 @@ namespace Inter_angle_remeshing {
 
 The surface that a mesh stands for is rarely made of facets. Around each vertex a cubic height field is fitted to the
 neighbors with weights that fall with their distance; its normals bend the facets into a surface without creases
-between them. Where the mesh samples a smooth surface, the error falls with the fourth power of the edge length
-instead of the second. The edges that `detect_features()` finds are features: they become smooth curves, the two sides keep
-their normals, and corners stay where they are; so does the border. So are edges of 1 degree and more between two plane
-polygons of which each has a vertex that belongs to no other polygon, inside of it or on the border: planes that have been
-designed stay planes. Faces that touch a fold, an edge of more than 60
-degrees, stay flat, and so do the edges of faces over which the surface would make such an angle with them, as narrow ones that lead from
-large facets to much smaller ones, and faces over which it would run through what is close by, another sheet or another part, though the
-facets do not. So, nearly, do edges that are several times as long as the faces beside them are wide, as along a cylinder,
-and faces that are much larger than others around their corners, as beside a fillet: there the large ones tell the normals. So do plane polygons
-of two faces or more beside which the surface curves three times as much one facet further on, as the flats between fillets of few facets,
-and two of them at a vertex, as the facets of a cylinder between such fillets.
+between them. Where the mesh samples a smooth surface, the error falls with the fourth power of the edge length instead of the
+second. The edges that `detect_features()` finds are features: they become smooth curves, the two sides keep their normals,
+and corners stay where they are; so does the border. So are edges of 1 degree and more between two plane polygons of which
+each has a vertex that belongs to no other polygon, inside of it or on the border: planes that have been designed stay planes.
+Faces that touch a fold, an edge of more than 60 degrees, stay flat, and so do the edges of faces over which the surface would
+make such an angle with them, as narrow ones that lead from large facets to much smaller ones, and faces over which it would
+run through what is close by, another sheet or another part, though the facets do not. So, nearly, do edges that are several
+times as long as the faces beside them are wide, as along a cylinder, and faces that are much larger than others around their
+corners, as beside a fillet: there the large ones tell the normals. So do plane polygons of two faces or more beside which the
+surface curves three times as much one facet further on, as the flats between fillets of few facets, and two of them at a
+vertex, as the facets of a cylinder between such fillets.
 
 No point P of the surface is further from its face than 0.15 times the mean edge length of the face; a projection lies
 within another 0.3 of these of P, so that a result is never further than 0.45 mean edge lengths from the mesh.
@@ -77,8 +77,8 @@ public:
   /// a vector
   using Vector_3 = typename CGAL::Kernel_traits<Point_3>::Kernel::Vector_3;
 
-  /// fits the surface to `tmesh`, in time linear in its number of faces, and in that of the pairs of them that are as close to each other as
-  /// the surface bulges.
+  /// fits the surface to `tmesh`, in time linear in its number of faces, and in that of the pairs of them that are as close to each
+  /// other as the surface bulges.
   /// @param tmesh a triangle mesh; it must outlive the projector only where `operator()(vertex_descriptor)` is used
   /// @param vpm the points of its vertices
   /// @throws CGAL::Precondition_exception if `tmesh` has no face or one that is not a triangle, if a coordinate is not
