@@ -10,6 +10,7 @@
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/property_map.h>
@@ -461,6 +462,14 @@ void one_component_of_several_is_remeshed()
     CHECK(is_rest_as_it_was && faces_where(m, is_second).size() == m.number_of_faces() - others);
 }
 
+double area_of(const Mesh& m)
+{
+  double area = 0;
+  for(const Face f : m.faces())
+    area += std::sqrt(normal(f, m).squared_length()) / 2;
+  return area;
+}
+
 // Next to other faces its edges are not split here, so there is nothing to do; Polygon_mesh_processing bisects the neighbors.
 template <class Engine>
 void one_face_is_remeshed()
@@ -471,10 +480,7 @@ void one_face_is_remeshed()
   Mesh alone = meshes::to_mesh<Mesh>(Soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
   run_on_range<Engine>({Face(0)}, .2, alone, "a triangle alone");
   CHECK(alone.number_of_faces() > 8);
-  double area = 0;
-  for(const Face f : alone.faces())
-    area += std::sqrt(normal(f, alone).squared_length()) / 2;
-  CHECK_MESSAGE(!Engine::IS_OURS || std::abs(area - .5) < 1e-9, area);
+  CHECK_MESSAGE(!Engine::IS_OURS || std::abs(area_of(alone) - .5) < 1e-9, area_of(alone));
 }
 
 // A range costs what it has, and not what the mesh has: its arrays move seldom, though every range makes elements. Each move
@@ -501,6 +507,58 @@ void small_ranges_do_not_move_the_mesh()
   }
   const double most = 1 + std::ceil(std::log(double(m.number_of_vertices()) / double(before)) / std::log(17. / 16));
   CHECK_MESSAGE(double(moves) <= most && most < RANGES / 2, moves << " moves, at most " << most);
+}
+
+// Beside a range other faces hold its needles fast: these would grow if they were pulled off the surface. A turned rod, of whose rim
+// the faces at each of the vertices are remeshed,
+void needles_of_a_range_stay_on_the_surface()
+{
+  const Mesh rod = meshes::to_mesh<Mesh>(meshes::turned({{1, 0}, {1, 6}}, 64, false));
+  for(const double factor : {.5, 1.})
+  {
+    double most = 0;
+    std::size_t crossed = 0;
+    for(std::size_t v = 1; v < 64; ++v)
+    {
+      Mesh m = rod;
+      Faces range;
+      double area = 0, length = 0;
+      for(const Halfedge h : CGAL::halfedges_around_target(m.halfedge(Vertex(v)), m))
+      {
+        range.push_back(m.face(h));
+        area += std::sqrt(normal(m.face(h), m).squared_length()) / 2;
+        for(const Halfedge k : CGAL::halfedges_around_face(h, m))
+          length += CGAL::Polygon_mesh_processing::edge_length(k, m) / 3;
+      }
+      CGAL::Inter_angle_remeshing::isotropic_remeshing(range, factor * length / double(range.size()), m);
+      m.collect_garbage();
+      most = (std::max)(most, 1 + (area_of(m) - area_of(rod)) / area);
+      crossed += does_self_intersect(m);
+    }
+    CHECK_MESSAGE(most < 1.3 && crossed == 0, factor << ": up to " << most << " times the area, " << crossed << " with crossings");
+  }
+}
+
+// and longer ones, of which a half is remeshed, without projection, too.
+void without_projection_needles_of_a_range_stay()
+{
+  for(const std::size_t n : {24, 60})
+  {
+    const Mesh rod = meshes::to_mesh<Mesh>(meshes::turned({{1, 0}, {1, 20}}, n, false));
+    for(const double factor : {.2, .5, 1.})
+      for(const double angle : {40., 180.})
+      {
+        Mesh m = rod;
+        const Faces half = faces_where(m, [](const Point& p) { return p.x() < 0; });
+        CGAL::Inter_angle_remeshing::isotropic_remeshing(half, factor * mean_edge_length(rod), m,
+                                                         parameters::do_project(false).sharpness_angle(angle));
+        m.collect_garbage();
+        const double part = area_of(m) / area_of(rod);
+        CHECK_MESSAGE(part > .75 && part < 1.2, n << ", " << factor << ", " << angle << ": " << part);
+        if(angle < 180)
+          CHECK_MESSAGE(!does_self_intersect(m), n << ", " << factor);
+      }
+  }
 }
 
 // --- what lies on the surface ------------------------------------------------------------------------------------
@@ -890,6 +948,8 @@ int main()
   // With protected edges longer than 4/3 of the length, which Polygon_mesh_processing rules out: it may never return.
   protected_edges_are_kept<Ours>(.3);
   small_ranges_do_not_move_the_mesh();
+  needles_of_a_range_stay_on_the_surface();
+  without_projection_needles_of_a_range_stay();
   patches_of_a_users_own_type_stay_apart();
   a_face_that_is_no_triangle_is_refused();
   lengths_are_numbers_of_any_type();

@@ -23,6 +23,9 @@ constexpr double THIN_SQUARED_SINE = 0.116977778440511;
 // face there.
 constexpr double THIN_SQUARED_SINE_OF_KEPT_VERTICES = 0.178606195156730;
 
+// That of 10 degrees: beside what cannot move, as the faces outside of a range, such needles are often held on both sides.
+constexpr double VERY_THIN_SQUARED_SINE = 0.030153689607046;
+
 // The smallest angle of a triangle lies between its two longest edges. Its squared sine, for the squared lengths of the
 // cross product and of the edges; 0 where the triangle has shrunk to a point.
 inline double squared_sine_of_smallest_angle(double cross_product, double x, double y, double z)

@@ -147,6 +147,14 @@ public:
     return sum;
   }
 
+  // Twice its area, if v lay at p.
+  double area(const Vector3& p) const
+  {
+    double sum = 0;
+    for (std::size_t k = 0; k < link_.size(); ++k) sum += length(triangle_cross(p, ring_[k], ring_[k + 1]));
+    return sum;
+  }
+
   // From the star to x, if v lay at p.
   double squared_distance(const Vector3& p, const Vector3& x) const
   {

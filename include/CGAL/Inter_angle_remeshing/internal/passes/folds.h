@@ -27,6 +27,26 @@ constexpr double FOLD_COSINE = -0.5, DEGREES_OF_FOLD = 20;
 // Smallest cosine between the normals of a face and of the surface, or of its facet, under its centre: 60 degrees.
 constexpr double LEAVING_COSINE = 0.5;
 
+struct Place_on_surface
+{
+  Vector3 point;
+  Remeshing_mesh::Index facet = -1;
+  double squared_distance = std::numeric_limits<double>::infinity();
+};
+
+// The place nearest to p, a point of face f, of those where the ways from the corners of f over the surface end: one alone may end before
+// an edge of it.
+inline Place_on_surface place_on_surface(const Remeshing_context& context, Remeshing_mesh::Index f, const Vector3& p)
+{
+  Place_on_surface result;
+  for (const Remeshing_mesh::Index v : context.mesh.face_record(f).vertex) {
+    Remeshing_mesh::Index hint = context.mesh.hint(v);
+    const Vector3 q = context.projector(p, hint);
+    if (const double d = squared_distance(p, q); d < result.squared_distance) result = {q, hint, d};
+  }
+  return result;
+}
+
 // Whether face f turns away from the surface. Beside a sharp crease of the surface neither of two faces does.
 inline bool leaves_surface(const Remeshing_context& context, Remeshing_mesh::Index f)
 {
@@ -34,19 +54,12 @@ inline bool leaves_surface(const Remeshing_context& context, Remeshing_mesh::Ind
   const Remeshing_mesh& mesh = context.mesh;
   const auto& v = mesh.face_record(f).vertex;
   const Vector3 centre = (1. / 3) * (mesh.position(v[0]) + mesh.position(v[1]) + mesh.position(v[2]));
-  Vector3 nearest;
-  Remeshing_mesh::Index facet = -1;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Remeshing_mesh::Index u : v) {
-    Remeshing_mesh::Index hint = mesh.hint(u);
-    const Vector3 p = context.projector(centre, hint);
-    if (const double d = squared_distance(p, centre); d < least) { nearest = p; facet = hint; least = d; }
-  }
+  const Place_on_surface nearest = place_on_surface(context, f, centre);
   const auto turns_away_from = [&, own = mesh.cross_product(f)](const Vector3& normal) {
     return !is_cosine_at_least(normal, own, LEAVING_COSINE);
   };
-  return turns_away_from(context.projector.cross_product(facet)) &&
-         turns_away_from(context.projector.normal_at(facet, nearest));
+  return turns_away_from(context.projector.cross_product(nearest.facet)) &&
+         turns_away_from(context.projector.normal_at(nearest.facet, nearest.point));
 }
 
 // By how much face f folds over one of its neighbors, in degrees, if by more than `known`, which is not negative; that, else.

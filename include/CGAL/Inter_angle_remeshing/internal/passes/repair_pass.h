@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_PASSES_REPAIR_PASS_H
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
+#include <CGAL/Inter_angle_remeshing/internal/geometry/thin_angles.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/Mesh_snapshot.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/crossing_faces.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/mesh_regions.h>
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -54,6 +56,9 @@ class Repairer
   // What an operation leaves is no farther from the surface, in target lengths, than this or than what was there: angles are not worth a
   // face across the hole of a ring.
   static constexpr double LONGEST_DISTANCE = 0.75;
+  // Nor does it turn more of the area away from the surface, beyond rounding, if it leaves needles: they would be pulled off it, which is
+  // their way to grow where they are held on their sides.
+  static constexpr double ROUNDING = 1e-9;
 
 public:
   Repairer(Remeshing_context& context, std::size_t input_faces)
@@ -198,27 +203,45 @@ private:
     const double after = faults_.score(faces, before);
     const bool pays = before - after > NOTICEABLE * before &&
                       !(may_stay && !is_at_crossing(fault_) && leaves_places(around, faces));
-    const double distance = pays && may_stay ? largest_distance(faces) : 0;
+    const Straying straying = pays && may_stay ? straying_of(faces) : Straying();
     snapshot_.restore(mesh_);
-    const bool strays = distance > LONGEST_DISTANCE && distance > largest_distance(snapshot_.faces());
-    return pays && !strays ? before - after : 0;
+    return pays && !is_too_much(straying) ? before - after : 0;
   }
 
-  // How far the centres and the middles of the edges of these faces are from the surface at most, in target lengths.
-  double largest_distance(const std::vector<Index>& faces) const
+  // How far faces are from the surface at most, their centres and the middles of their edges, in target lengths; twice the area of
+  // those that turn away from it; and whether there are needles among them.
+  struct Straying
   {
-    double result = 0;
+    double distance = 0, area = 0;
+    bool has_needles = false;
+  };
+
+  Straying straying_of(const std::vector<Index>& faces) const
+  {
+    Straying result;
     if (!context_.projector.has_faces()) return result;
     for (const Index f : faces) {
       if (!mesh_.is_face(f)) continue;
-      const auto& corner = mesh_.face_record(f).vertex;
-      for (int k = 0; k < 4; ++k) {
-        const Vector3 p = point_on_face(mesh_, f, PLACES_ON_FACE[k]);
-        Index hint = mesh_.hint(corner[k % 3]);
-        result = (std::max)(result, length(context_.projector(p, hint) - p) / context_.length_at(corner[0]));
-      }
+      double most = 0;
+      for (int k = 0; k < 4; ++k)
+        most = (std::max)(most, place_on_surface(context_, f, point_on_face(mesh_, f, PLACES_ON_FACE[k])).squared_distance);
+      const auto& v = mesh_.face_record(f).vertex;
+      result.distance = (std::max)(result.distance, std::sqrt(most) / context_.length_at(v[0]));
+      if (leaves_surface(context_, f)) result.area += length(mesh_.cross_product(f));
+      const double squared_sine = squared_sine_of_smallest_angle(mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2]));
+      result.has_needles = result.has_needles || squared_sine < VERY_THIN_SQUARED_SINE;
     }
     return result;
+  }
+
+  // Whether the faces around what was tried would stray more than those that are there. What parts faces that cross may turn them away.
+  bool is_too_much(const Straying& straying) const
+  {
+    const bool is_distant = straying.distance > LONGEST_DISTANCE,
+               is_turned = straying.area > 0 && straying.has_needles && !is_at_crossing(fault_);
+    if (!is_distant && !is_turned) return false;
+    const Straying before = straying_of(snapshot_.faces());
+    return (is_distant && straying.distance > before.distance) || (is_turned && straying.area > (1 + ROUNDING) * before.area);
   }
 
   // Whether the mesh, of which these faces are new, has withdrawn too far from places of vertices that were around.
