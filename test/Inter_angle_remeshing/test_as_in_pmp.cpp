@@ -10,7 +10,6 @@
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/property_map.h>
@@ -462,10 +461,11 @@ void one_component_of_several_is_remeshed()
     CHECK(is_rest_as_it_was && faces_where(m, is_second).size() == m.number_of_faces() - others);
 }
 
-double area_of(const Mesh& m)
+template <class Some_faces>
+double area_of(const Some_faces& faces, const Mesh& m)
 {
   double area = 0;
-  for(const Face f : m.faces())
+  for(const Face f : faces)
     area += std::sqrt(normal(f, m).squared_length()) / 2;
   return area;
 }
@@ -480,7 +480,7 @@ void one_face_is_remeshed()
   Mesh alone = meshes::to_mesh<Mesh>(Soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
   run_on_range<Engine>({Face(0)}, .2, alone, "a triangle alone");
   CHECK(alone.number_of_faces() > 8);
-  CHECK_MESSAGE(!Engine::IS_OURS || std::abs(area_of(alone) - .5) < 1e-9, area_of(alone));
+  CHECK(!Engine::IS_OURS || std::abs(area_of(alone.faces(), alone) - .5) < 1e-9);
 }
 
 // A range costs what it has, and not what the mesh has: its arrays move seldom, though every range makes elements. Each move
@@ -509,37 +509,45 @@ void small_ranges_do_not_move_the_mesh()
   CHECK_MESSAGE(double(moves) <= most && most < RANGES / 2, moves << " moves, at most " << most);
 }
 
+// By which factor the area of the range has grown, that of the rest being as it was.
+double growth(const Faces& range, const Mesh& input, const Mesh& output)
+{
+  return 1 + (area_of(output.faces(), output) - area_of(input.faces(), input)) / area_of(range, input);
+}
+
 // Beside a range other faces hold its needles fast: these would grow if they were pulled off the surface. A turned rod, of whose rim
-// the faces at each of the vertices are remeshed,
+// the faces at each of the vertices are remeshed, but at that in which its fan begins,
 void needles_of_a_range_stay_on_the_surface()
 {
   const Mesh rod = meshes::to_mesh<Mesh>(meshes::turned({{1, 0}, {1, 6}}, 64, false));
   for(const double factor : {.5, 1.})
   {
-    double most = 0;
-    std::size_t crossed = 0;
+    double least = 1, most = 1;
+    std::size_t crossed = 0, changed = 0;
     for(std::size_t v = 1; v < 64; ++v)
     {
       Mesh m = rod;
       Faces range;
-      double area = 0, length = 0;
+      double length = 0;
       for(const Halfedge h : CGAL::halfedges_around_target(m.halfedge(Vertex(v)), m))
       {
         range.push_back(m.face(h));
-        area += std::sqrt(normal(m.face(h), m).squared_length()) / 2;
         for(const Halfedge k : CGAL::halfedges_around_face(h, m))
-          length += CGAL::Polygon_mesh_processing::edge_length(k, m) / 3;
+          length += length_of(m.edge(k), m) / 3;
       }
       CGAL::Inter_angle_remeshing::isotropic_remeshing(range, factor * length / double(range.size()), m);
       m.collect_garbage();
-      most = (std::max)(most, 1 + (area_of(m) - area_of(rod)) / area);
+      least = (std::min)(least, growth(range, rod, m));
+      most = (std::max)(most, growth(range, rod, m));
       crossed += does_self_intersect(m);
+      changed += m.number_of_faces() != rod.number_of_faces();
     }
-    CHECK_MESSAGE(most < 1.3 && crossed == 0, factor << ": up to " << most << " times the area, " << crossed << " with crossings");
+    CHECK_MESSAGE(least > .9 && most < 1.3 && crossed == 0 && changed > 32,
+                  factor << ": " << least << " to " << most << " times the area, " << crossed << " with crossings, " << changed);
   }
 }
 
-// and longer ones, of which a half is remeshed, without projection, too.
+// and longer ones, of which a half is remeshed without projection. (There relaxation wears sharp edges off that are no features.)
 void without_projection_needles_of_a_range_stay()
 {
   for(const std::size_t n : {24, 60})
@@ -550,11 +558,12 @@ void without_projection_needles_of_a_range_stay()
       {
         Mesh m = rod;
         const Faces half = faces_where(m, [](const Point& p) { return p.x() < 0; });
-        CGAL::Inter_angle_remeshing::isotropic_remeshing(half, factor * mean_edge_length(rod), m,
-                                                         parameters::do_project(false).sharpness_angle(angle));
+        const auto report = CGAL::Inter_angle_remeshing::isotropic_remeshing(half, factor * mean_edge_length(rod), m,
+                                                                             parameters::do_project(false).sharpness_angle(angle));
         m.collect_garbage();
-        const double part = area_of(m) / area_of(rod);
-        CHECK_MESSAGE(part > .75 && part < 1.2, n << ", " << factor << ", " << angle << ": " << part);
+        const double part = growth(half, rod, m);
+        CHECK_MESSAGE(part > .6 && part < 1.6 && report.splits + report.collapses > 0,
+                      n << ", " << factor << ", " << angle << ": " << part);
         if(angle < 180)
           CHECK_MESSAGE(!does_self_intersect(m), n << ", " << factor);
       }

@@ -23,7 +23,8 @@ constexpr double THIN_SQUARED_SINE = 0.116977778440511;
 // face there.
 constexpr double THIN_SQUARED_SINE_OF_KEPT_VERTICES = 0.178606195156730;
 
-// That of 10 degrees: beside what cannot move, as the faces outside of a range, such needles are often held on both sides.
+// That of 10 degrees: a face with a smaller angle is very thin. Beside what cannot move, as the faces outside of a range, needles are
+// often held on both sides.
 constexpr double VERY_THIN_SQUARED_SINE = 0.030153689607046;
 
 // The smallest angle of a triangle lies between its two longest edges. Its squared sine, for the squared lengths of the

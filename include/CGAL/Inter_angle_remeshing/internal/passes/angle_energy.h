@@ -9,6 +9,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh.h>
 
 #include <CGAL/number_type_config.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -121,6 +122,8 @@ public:
     });
     return result;
   }
+
+  double squared_sine_of_smallest_angle() const { return 1 - CGAL::square(largest_cosine()); }
 
   // The gradient where the value was asked for last. A corner cosine is a product of unit vectors, two spokes or a spoke and a
   // link edge; of these only the spokes s = (x - p) / |x - p| turn, by ds = -(I - s sᵀ) dp / |x - p|.

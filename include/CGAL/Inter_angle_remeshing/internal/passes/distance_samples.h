@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/mesh_regions.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/place_on_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/Mls_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/Reference_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/surface_walk.h>
@@ -15,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 // Samples of the surface and of the mesh, and how far each is from the other one. Distances are found by walks; where one ends
@@ -148,25 +148,21 @@ public:
   // The nearest point of the surface to a point of face f, and the face that it is on.
   Vector3 nearest_on_surface(Index f, const Vector3& y, Index& surface_face)
   {
-    Vector3 result;
-    double least = std::numeric_limits<double>::infinity();
-    const auto look_from = [&](Index hint) {
-      const Vector3 p = context_.projector(y, hint);
-      if (const double d = squared_distance(p, y); d < least) { least = d; result = p; surface_face = hint; }
-    };
-    for (const Index v : mesh_.face_record(f).vertex) {
-      look_from(mesh_.hint(v));
-      if (least < enough_) return result;
-    }
+    const Place_on_surface place = place_on_surface(context_, f, y, enough_);
+    surface_face = place.facet;
+    if (place.squared_distance < enough_) return place.point;
     const double unit = context_.projector.factor;
     const Vector3 q = unit * y;
     Index nearest = -1;
-    double d = unit * unit * least;
-    for_each_face_near(y, std::sqrt(least) + length_ / 2, surface_face, [&](Index g) {
+    double d = unit * unit * place.squared_distance;
+    for_each_face_near(y, std::sqrt(place.squared_distance) + length_ / 2, surface_face, [&](Index g) {
       if (const double e = squared_distance(closest_point_on_face(surface_, q, g).point, q); e < d) { d = e; nearest = g; }
     });
-    if (nearest >= 0) look_from(nearest);
-    return result;
+    if (nearest < 0) return place.point;
+    const Vector3 p = context_.projector(y, nearest);
+    if (!(squared_distance(p, y) < place.squared_distance)) return place.point;
+    surface_face = nearest;
+    return p;
   }
 
 private:

@@ -8,12 +8,12 @@
 #include <CGAL/Inter_angle_remeshing/internal/Remeshing_context.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/mesh_regions.h>
 #include <CGAL/Inter_angle_remeshing/internal/passes/angle_bands.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/place_on_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/projection.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 // Faces that fold over their neighbors where the surface does not.
@@ -26,26 +26,6 @@ namespace internal {
 constexpr double FOLD_COSINE = -0.5, DEGREES_OF_FOLD = 20;
 // Smallest cosine between the normals of a face and of the surface, or of its facet, under its centre: 60 degrees.
 constexpr double LEAVING_COSINE = 0.5;
-
-struct Place_on_surface
-{
-  Vector3 point;
-  Remeshing_mesh::Index facet = -1;
-  double squared_distance = std::numeric_limits<double>::infinity();
-};
-
-// The place nearest to p, a point of face f, of those where the ways from the corners of f over the surface end: one alone may end before
-// an edge of it.
-inline Place_on_surface place_on_surface(const Remeshing_context& context, Remeshing_mesh::Index f, const Vector3& p)
-{
-  Place_on_surface result;
-  for (const Remeshing_mesh::Index v : context.mesh.face_record(f).vertex) {
-    Remeshing_mesh::Index hint = context.mesh.hint(v);
-    const Vector3 q = context.projector(p, hint);
-    if (const double d = squared_distance(p, q); d < result.squared_distance) result = {q, hint, d};
-  }
-  return result;
-}
 
 // Whether face f turns away from the surface. Beside a sharp crease of the surface neither of two faces does.
 inline bool leaves_surface(const Remeshing_context& context, Remeshing_mesh::Index f)

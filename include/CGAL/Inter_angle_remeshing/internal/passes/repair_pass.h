@@ -12,9 +12,13 @@
 #include <CGAL/Inter_angle_remeshing/internal/mesh/mesh_regions.h>
 #include <CGAL/Inter_angle_remeshing/internal/passes/Angle_descent.h>
 #include <CGAL/Inter_angle_remeshing/internal/passes/Faults.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/folds.h>
 #include <CGAL/Inter_angle_remeshing/internal/passes/kept_places.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/place_on_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/passes/repair_operations.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/surface_walk.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -56,8 +60,8 @@ class Repairer
   // What an operation leaves is no farther from the surface, in target lengths, than this or than what was there: angles are not worth a
   // face across the hole of a ring.
   static constexpr double LONGEST_DISTANCE = 0.75;
-  // Nor does it turn more of the area away from the surface, beyond rounding, if it leaves needles: they would be pulled off it, which is
-  // their way to grow where they are held on their sides.
+  // Nor does one for angles or folds turn more of the area away from the surface, beyond rounding, while there are very thin faces around:
+  // to be pulled off it is their way to grow where they are held on their sides.
   static constexpr double ROUNDING = 1e-9;
 
 public:
@@ -208,40 +212,59 @@ private:
     return pays && !is_too_much(straying) ? before - after : 0;
   }
 
-  // How far faces are from the surface at most, their centres and the middles of their edges, in target lengths; twice the area of
-  // those that turn away from it; and whether there are needles among them.
+  // How far an operation has led off the surface, as far as that may be too much; 0 where there is none.
   struct Straying
   {
-    double distance = 0, area = 0;
-    bool has_needles = false;
+    double distance = 0, turned_area = 0;
   };
 
   Straying straying_of(const std::vector<Index>& faces) const
   {
-    Straying result;
-    if (!context_.projector.has_faces()) return result;
+    if (!context_.projector.has_faces()) return {};
+    return {largest_distance(faces), !is_at_crossing(fault_) && has_very_thin_face(faces) ? area_turned_away(faces) : 0};
+  }
+
+  // What was tried is undone. What parts faces that cross may turn them away.
+  bool is_too_much(const Straying& straying) const
+  {
+    if (straying.distance > LONGEST_DISTANCE && straying.distance > largest_distance(snapshot_.faces())) return true;
+    if (!(straying.turned_area > 0)) return false;
+    const double before = area_turned_away(snapshot_.faces());
+    return straying.turned_area > before + ROUNDING * (before + CGAL::square(context_.target_length));
+  }
+
+  // How far the centres and the middles of the edges of these faces are from the surface at most, in target lengths; if that is less than
+  // LONGEST_DISTANCE, it may say more than it is.
+  double largest_distance(const std::vector<Index>& faces) const
+  {
+    double result = 0;
     for (const Index f : faces) {
       if (!mesh_.is_face(f)) continue;
-      double most = 0;
-      for (int k = 0; k < 4; ++k)
-        most = (std::max)(most, place_on_surface(context_, f, point_on_face(mesh_, f, PLACES_ON_FACE[k])).squared_distance);
-      const auto& v = mesh_.face_record(f).vertex;
-      result.distance = (std::max)(result.distance, std::sqrt(most) / context_.length_at(v[0]));
-      if (leaves_surface(context_, f)) result.area += length(mesh_.cross_product(f));
-      const double squared_sine = squared_sine_of_smallest_angle(mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2]));
-      result.has_needles = result.has_needles || squared_sine < VERY_THIN_SQUARED_SINE;
+      const double length = context_.length_at(mesh_.face_record(f).vertex[0]), enough = CGAL::square(LONGEST_DISTANCE * length);
+      for (int k = 0; k < 4; ++k) {
+        const Vector3 p = point_on_face(mesh_, f, PLACES_ON_FACE[k]);
+        result = (std::max)(result, std::sqrt(place_on_surface(context_, f, p, enough).squared_distance) / length);
+      }
     }
     return result;
   }
 
-  // Whether the faces around what was tried would stray more than those that are there. What parts faces that cross may turn them away.
-  bool is_too_much(const Straying& straying) const
+  // Twice the area of the faces that turn away from the surface.
+  double area_turned_away(const std::vector<Index>& faces) const
   {
-    const bool is_distant = straying.distance > LONGEST_DISTANCE,
-               is_turned = straying.area > 0 && straying.has_needles && !is_at_crossing(fault_);
-    if (!is_distant && !is_turned) return false;
-    const Straying before = straying_of(snapshot_.faces());
-    return (is_distant && straying.distance > before.distance) || (is_turned && straying.area > (1 + ROUNDING) * before.area);
+    double result = 0;
+    for (const Index f : faces)
+      if (mesh_.is_face(f) && leaves_surface(context_, f)) result += length(mesh_.cross_product(f));
+    return result;
+  }
+
+  bool has_very_thin_face(const std::vector<Index>& faces) const
+  {
+    return std::any_of(faces.begin(), faces.end(), [&](Index f) {
+      if (!mesh_.is_face(f)) return false;
+      const auto& v = mesh_.face_record(f).vertex;
+      return squared_sine_of_smallest_angle(mesh_.position(v[0]), mesh_.position(v[1]), mesh_.position(v[2])) < VERY_THIN_SQUARED_SINE;
+    });
   }
 
   // Whether the mesh, of which these faces are new, has withdrawn too far from places of vertices that were around.
