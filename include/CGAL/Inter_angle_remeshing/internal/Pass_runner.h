@@ -263,7 +263,7 @@ public:
   // Chords much shorter than the surface's own do not lead through another sheet, but where the mesh is a wreck.
   void part_crossing_faces(Repairer& repairer)
   {
-    if (!goes_on() || !repairs() || (context_.projector.has_faces() && context_.surroundings.faces.empty() &&
+    if (!goes_on() || !repairs() || (context_.projector.has_faces() && !context_.has_outside() &&
                                      !repairer.leaves_bad_faces() && context_.is_finer_than_surface())) return;
     report_.are_crossing_faces_known = true;
     report_.repairs += run(Pass::repair, [&]() {

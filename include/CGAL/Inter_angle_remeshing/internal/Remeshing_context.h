@@ -65,6 +65,8 @@ struct Remeshing_context
 
   // Whether the target length differs from place to place.
   bool is_graded() const { return grading_rate > 0 || has_necks || !sizing.is_uniform(); }
+  // Whether there are faces outside of the range; these hold its rim.
+  bool has_outside() const { return !surroundings.faces.empty(); }
   // The target length that the sizing field has at a vertex, and on an edge.
   double length_at(Index v) const { return grading.has_field() ? target_length * grading.field_part(v) : target_length; }
   double length_at(Index u, Index v) const

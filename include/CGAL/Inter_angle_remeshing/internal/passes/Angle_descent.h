@@ -41,8 +41,8 @@ class Angle_descent
   // small angle for a large one. The second value is for stars at curves, whose vertices do not get out of the way, if the band allows it.
   // The third one is for all stars where vertices are kept, and no split or collapse would mend such an angle.
   static constexpr double SMALL_ANGLE = 20, SMALL_ANGLE_AT_CURVES = 28, SMALL_ANGLE_OF_KEPT_VERTICES = 30;
-  // Nor does one of a free vertex make its star, if that has a very thin face, larger by more than this factor: within a surface that is
-  // nearly flat there a star keeps its area, and it grows where needles that are held on their sides are pulled off.
+  // Nor does one of a free vertex make its star, if that has a very thin face, larger by more than this factor, in a range and where
+  // there is no surface: within a nearly flat one a star keeps its area; it grows where needles held on their sides are pulled off.
   static constexpr double LARGEST_GROWTH = 1.001;
   // A slide leaves at most this part of the energy: less is not worth that the neighbors look again.
   static constexpr double ENOUGH = 0.99;
@@ -139,15 +139,16 @@ private:
     if (!(slope > 0)) return false;
     Index nearest = mesh_.hint(v);
     const Vector3 offset = offset_of(p, nearest);
-    const bool has_very_thin_face = star_.squared_sine_of_smallest_angle() < VERY_THIN_SQUARED_SINE;
-    const double largest_area = has_very_thin_face ? LARGEST_GROWTH * star_.area(p) : 0;
+    const bool keeps_area = (context_.has_outside() || !context_.projector.moves_points()) &&
+                            star_.squared_sine_of_smallest_angle() < VERY_THIN_SQUARED_SINE;
+    const double largest_area = keeps_area ? LARGEST_GROWTH * star_.area(p) : 0;
     double step = (std::min)(LONGEST_STEP * length_at(v), STEP_FACTOR * energy / slope);
     for (int trial = 0; trial < TRIALS; ++trial, step *= BACKTRACK) {
       const Vector3 r = p - (step / slope) * g;
       if (!(star_.value(r) < energy)) continue;    // the projection hardly changes that
       Index hint = nearest;
       const Vector3 q = context_.projector(r, hint) + offset;
-      if (!context_.projector.is_compatible(hint, normal) || (has_very_thin_face && star_.area(q) > largest_area) ||
+      if (!context_.projector.is_compatible(hint, normal) || (keeps_area && star_.area(q) > largest_area) ||
           !is_better(energy, p, q) || !keeps_places(v, p, q))
         continue;
       mesh_.hint(v) = hint;
