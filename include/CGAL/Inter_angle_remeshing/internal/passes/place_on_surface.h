@@ -22,8 +22,8 @@ struct Place_on_surface
   double squared_distance = std::numeric_limits<double>::infinity();
 };
 
-// The place nearest to p, a point of face f, of those where the ways from the corners of f over the surface end: one alone may end before
-// an edge of it. The first one whose squared distance is less than `enough`. There is a surface.
+// The place nearest to p, a point of face f, of those where the walks from the corners of f over the surface end, for one alone may get
+// stuck at an edge of it; or the first one whose squared distance is less than `enough`. The projector has faces.
 inline Place_on_surface place_on_surface(const Remeshing_context& context, Remeshing_mesh::Index f, const Vector3& p, double enough = 0)
 {
   Place_on_surface result;

@@ -212,7 +212,8 @@ private:
     return pays && !is_too_much(straying) ? before - after : 0;
   }
 
-  // How far an operation has led off the surface, as far as that may be too much; 0 where there is none.
+  // How far an operation has led off the surface: the largest distance of its faces, in target lengths, and twice the area of those that
+  // turn away from it, where that counts.
   struct Straying
   {
     double distance = 0, turned_area = 0;
@@ -225,7 +226,7 @@ private:
     return {largest_distance(faces), keeps_area ? area_turned_away(faces) : 0};
   }
 
-  // What was tried is undone. What parts faces that cross may turn them away.
+  // Whether that is more than for what is there now that the operation is undone. What parts faces that cross may turn them away.
   bool is_too_much(const Straying& straying) const
   {
     if (straying.distance > LONGEST_DISTANCE && straying.distance > largest_distance(snapshot_.faces())) return true;
