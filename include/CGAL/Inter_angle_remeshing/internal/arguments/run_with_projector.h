@@ -32,14 +32,14 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// A surface that the user handed over. Where the mesh is a part of it, all of it or a range of its faces, walks keep to that part and to
-// the patches of the run, and begin where the vertices are.
+// A surface that the user handed over. Where the mesh is a part of it, all of it or a range of its faces, the projection is onto a copy of
+// that part: walks keep to it and to the patches of the run, and begin where the vertices are.
 class Handed_surface
 {
 public:
   using Index = Remeshing_mesh::Index;
 
-  // `mls`, if there is one, smooths the surface and knows no other. Without one a copy of the part will do.
+  // `mls`, if there is one, smooths the surface and knows no other.
   Handed_surface(const Reference_surface& surface, const Mls_surface* mls, Remeshing_mesh& mesh)
     : projection_{&surface, mesh.unit() / surface.unit(), mls}
   {
@@ -50,28 +50,12 @@ public:
       find_hints(mesh, projection_);
       return;
     }
-    if (mls == nullptr && !part.is_whole()) {
-      copy_.emplace(mesh);
-      face_of_source_ = faces_by_source(*copy_);
-      projection_ = Projection{&*copy_};
-      projection_.face_of_source = &face_of_source_;
-      start_where_vertices_are(mesh);
-      return;
-    }
-    std::vector<Index> barriers;
-    mesh.for_each_halfedge([&](Index h) {
-      const Index k = part.halfedge(h);
-      if (mesh.is_constrained(h) || (mesh.is_border(h) && !surface.is_border(k))) barriers.push_back(k);
-    });
-    if (!barriers.empty()) {
-      copy_.emplace(surface, barriers);
-      projection_.surface = &*copy_;
-    }
-    if (part.is_numbered_alike()) {
-      face_of_source_ = faces_by_source(surface);
-      projection_.face_of_source = &face_of_source_;
-    }
-    for (Index v = 0; v < Index(mesh.number_of_vertex_slots()); ++v) mesh.hint(v) = surface.face(part.halfedge(mesh.first(v)));
+    copy_.emplace(mesh);
+    if (mls != nullptr) mls_.emplace(*mls, *copy_, 1 / projection_.factor, [&](Index h) { return part.halfedge(h); });
+    projection_ = Projection{&*copy_, 1, mls_ ? &*mls_ : nullptr};
+    face_of_source_ = faces_by_source(*copy_);
+    projection_.face_of_source = &face_of_source_;
+    start_where_vertices_are(mesh);
   }
   Handed_surface(const Handed_surface&) = delete;            // the projection refers to what it holds
   Handed_surface& operator=(const Handed_surface&) = delete;
@@ -81,6 +65,7 @@ public:
 private:
   Projection projection_;
   std::optional<Reference_surface> copy_;
+  std::optional<Mls_surface> mls_;
   std::vector<Index> face_of_source_;
 };
 

@@ -68,6 +68,12 @@ public:
   Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_size = -1,
               const std::vector<char>* is_flat = nullptr, bool keeps_apart = true);
 
+  // That of `whole` over a part of its reference surface, whose half-edge h is `halfedge(h)` of the whole one; in its unit lengths are
+  // `scale` times as large. Where a feature lies on the part's rim, beside thin faces outside, its curve may be higher. It holds no more
+  // than queries need.
+  template <class Function>
+  Mls_surface(const Mls_surface& whole, const Reference_surface& part, double scale, const Function& halfedge);
+
   const Reference_surface& reference_surface() const { return *surface_; }
 
   // The point P(b).
@@ -120,7 +126,8 @@ private:
     std::uint32_t features = 0;              // a bit for each edge on a feature, each vertex there, and each such edge that is straight
   };
 
-  static constexpr std::uint32_t STRAIGHT = 1u << 6;       // the first of the bits of straight edges on features
+  // The first of the bits of edges on features, of vertices there, and of straight edges there.
+  static constexpr std::uint32_t FEATURE_EDGE = 1u, FEATURE_VERTEX = 1u << 3, STRAIGHT_EDGE = 1u << 6;
 
   // |d| is at most this fraction of the edge. What curves at the ends of an edge says little about one that is more than this many
   // times as long as the faces beside it are large: there it falls with the square of that.
@@ -146,8 +153,8 @@ private:
   void mark(Index h)
   {
     const Index o = surface_->opposite(h);
-    faces_[h >> 2].features |= 1u << (h & 3);
-    if (o >= 0) faces_[o >> 2].features |= 1u << (o & 3);
+    faces_[h >> 2].features |= FEATURE_EDGE << (h & 3);
+    if (o >= 0) faces_[o >> 2].features |= FEATURE_EDGE << (o & 3);
   }
   void find_features(const std::vector<Index>& creases);
   void find_creases_between_planes();
@@ -210,6 +217,33 @@ inline Mls_surface::Mls_surface(const Reference_surface& surface, const std::vec
   find_rises();
   flatten_what_turns_over();
   if (keeps_apart) flatten_what_crosses();
+}
+
+template <class Function>
+Mls_surface::Mls_surface(const Mls_surface& whole, const Reference_surface& part, double scale, const Function& halfedge)
+  : surface_(&part), faces_(part.number_of_faces()), sizes_(part.number_of_faces()), tangents_(part.number_of_vertices())
+{
+  std::vector<Index> new_sector(whole.normals_.size(), -1);
+  for (Index f = 0; f < Index(faces_.size()); ++f) {
+    Face_data& data = faces_[f];
+    for (int k = 0; k < 3; ++k) {
+      const Index h = halfedge(4 * f + k);
+      const int there = h & 3;
+      const Face_data& source = whole.faces_[h >> 2];
+      if (const Index s = source.sector[there]; s >= 0) {
+        if (new_sector[s] < 0) {
+          new_sector[s] = Index(normals_.size());
+          normals_.push_back(whole.normals_[s]);
+        }
+        data.sector[k] = new_sector[s];
+      }
+      for (int side = 0; side < 2; ++side) data.rise[k][side] = float(scale * double(source.rise[there][side]));
+      for (const std::uint32_t first : {FEATURE_EDGE, FEATURE_VERTEX, STRAIGHT_EDGE})
+        if ((source.features & (first << there)) != 0) data.features |= first << k;
+      tangents_[part.origin(4 * f + k)] = whole.tangents_[whole.surface_->origin(h)];
+    }
+    sizes_[f] = float(scale * double(whole.sizes_[halfedge(4 * f) >> 2]));
+  }
 }
 
 inline void Mls_surface::find_sizes(double least_size, const std::vector<char>* is_flat)
@@ -280,7 +314,7 @@ inline void Mls_surface::find_tangents()
     }
   for (const Index f : curved_)
     for (int k = 0; k < 3; ++k)
-      if (arms[surface_->origin(4 * f + k)].count > 0) faces_[f].features |= 8u << k;
+      if (arms[surface_->origin(4 * f + k)].count > 0) faces_[f].features |= FEATURE_VERTEX << k;
   tangents_.assign(surface_->number_of_vertices(), Vector3());
   for (std::size_t v = 0; v < arms.size(); ++v) {
     const Vector3 &in = arms[v].direction[0], &out = arms[v].direction[1];
@@ -536,8 +570,8 @@ inline bool Mls_surface::turns_over(Index f) const
 
 inline void Mls_surface::straighten(Index h)
 {
-  faces_[h >> 2].features |= STRAIGHT << (h & 3);
-  if (surface_->opposite(h) >= 0) faces_[surface_->opposite(h) >> 2].features |= STRAIGHT << (surface_->opposite(h) & 3);
+  faces_[h >> 2].features |= STRAIGHT_EDGE << (h & 3);
+  if (surface_->opposite(h) >= 0) faces_[surface_->opposite(h) >> 2].features |= STRAIGHT_EDGE << (surface_->opposite(h) & 3);
 }
 
 inline void Mls_surface::flatten_edge(Index h)
@@ -592,7 +626,7 @@ inline Vector3 Mls_surface::feature_offset(Index f, int from, int to) const
 {
   const Vector3& t = tangents_[surface_->face_record(f).vertex[from]];
   const int edge = to == (from + 1) % 3 ? from : to;
-  if (t == Vector3() || (faces_[f].features >> edge & STRAIGHT) != 0) return {};
+  if (t == Vector3() || (faces_[f].features >> edge & STRAIGHT_EDGE) != 0) return {};
   const Vector3 e = corner(f, to) - corner(f, from);
   const Index across = surface_->opposite(4 * f + edge);
   double bound = (std::min)(STEEPEST * length(e), surface_->least_altitude(f));

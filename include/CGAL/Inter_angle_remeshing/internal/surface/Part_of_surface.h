@@ -33,15 +33,6 @@ public:
   }
 
   bool is_part() const { return !first_.empty(); }
-  bool is_whole() const { return is_part() && first_.size() == surface_.number_of_faces(); }
-
-  // Whether its faces are numbered as the surface's, too.
-  bool is_numbered_alike() const
-  {
-    bool result = is_whole();
-    for (Index f = 0; f < Index(first_.size()) && result; ++f) result = has_number_of(f, first_[f]);
-    return result;
-  }
 
   // The half-edge of the surface that is the mesh's.
   Index halfedge(Index h) const

@@ -37,13 +37,6 @@ public:
       if (mesh.is_pinched(v)) pinched_.push_back(v);
   }
 
-  // A copy with these edges constrained, each named by both of its half-edges.
-  Reference_surface(const Reference_surface& other, const std::vector<Index>& constrained)
-    : Corner_table(other), position_(other.position_), pinched_(other.pinched_), unit_(other.unit_)
-  {
-    for (const Index h : constrained) faces_[h >> 2].edge_flags |= Remeshing_mesh::CONSTRAINED << (h & 3);
-  }
-
   // The user's length that is 1 here.
   double unit() const { return unit_; }
   std::size_t number_of_faces() const { return number_of_face_slots(); }
