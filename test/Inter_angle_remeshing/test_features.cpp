@@ -1046,6 +1046,133 @@ void projectors_keep_to_the_range()
   }
 }
 
+// The end of a mesh with the smaller x, that share of its extent.
+std::vector<Face> end_of(const Mesh& m, double share)
+{
+  const CGAL::Bbox_3 box = PMP::bbox(m);
+  std::vector<Face> range;
+  for(const Face f : m.faces())
+    if(m.point(m.target(m.halfedge(f))).x() < box.xmin() + share * (box.xmax() - box.xmin()))
+      range.push_back(f);
+  return range;
+}
+
+// With nothing marked, too: vertices between features were projected onto the wrong side of these, and nothing lowered distances.
+void an_mls_projector_of_the_whole_serves_a_range()
+{
+  for(const char* name : {"anchor", "oblong", "part", "rotor"})
+    for(const double share : {.125, .5})
+    {
+      const Mesh input = models::of_cgal(name);
+      const double length = .25 * mean_edge_length(input);
+      const IAR::MLS_projector<Mesh> mls(input);
+      Mesh m = input;
+      IAR::isotropic_remeshing(end_of(m, share), length, m, parameters::projection_functor(std::cref(mls)));
+      m.collect_garbage();
+      const double distance = surface_distance(input, m).hausdorff() / length;
+      CHECK_MESSAGE(m.number_of_faces() > input.number_of_faces() && distance < .3 && !does_self_intersect(m),
+                    name << ", " << share << ": " << distance);
+    }
+}
+
+// --- small ranges ------------------------------------------------------------------------------------------------
+
+// The first `n` faces that a search by breadth meets from `start` on.
+std::vector<Face> faces_around(Face start, std::size_t n, const Mesh& m)
+{
+  std::vector<Face> range = {start};
+  std::set<Face> known = {start};
+  for(std::size_t i = 0; i < range.size(); ++i)
+    for(const auto f : CGAL::faces_around_face(m.halfedge(range[i]), m))
+      if(f != Mesh::null_face() && range.size() < n && known.insert(f).second)
+        range.push_back(f);
+  return range;
+}
+
+// The dihedral angles of a few faces tell nothing about the model; those around them do. Edges of organic models were taken for features,
+// too, where a range looked like a part.
+void features_of_a_range_are_those_of_the_mesh()
+{
+  for(const char* name : {"couplingdown", "anchor_dense", "rotor", "camel"})
+  {
+    Mesh m = models::of_cgal(name);
+    const double length = mean_edge_length(m);
+    const std::set<Edge> all = found_features(m, length);
+    const Edge_map of_range = m.add_property_map<Edge, bool>("e:of_range", false).first;
+    std::mt19937 random(3);
+    std::size_t same = 0, missed = 0, wrong = 0;
+    const std::size_t ranges = meshes::is_small_run() ? 5 : 40;
+    for(const std::size_t n : {10, 50, 250})
+      for(std::size_t k = 0; k < ranges; ++k)
+      {
+        const std::vector<Face> range = faces_around(Face(unsigned(random() % m.number_of_faces())), n, m);
+        IAR::detect_features(range, m, of_range, length);
+        const std::set<Face> inside(range.begin(), range.end());
+        for(const Face f : range)
+          for(const auto h : CGAL::halfedges_around_face(m.halfedge(f), m))
+          {
+            const Face across = m.face(m.opposite(h));
+            if(!(f < across) || inside.count(across) == 0)
+              continue;
+            const bool is_one = all.count(m.edge(h)) > 0, is_found = of_range[m.edge(h)];
+            same += is_one && is_found;
+            missed += is_one && !is_found;
+            wrong += is_found && !is_one;
+          }
+      }
+    CHECK_MESSAGE(missed == 0 && wrong <= (all.empty() ? ranges : 0) && (same > 100 || all.empty()),
+                  name << ": " << same << " found, " << missed << " missed, " << wrong << " wrong");
+  }
+}
+
+// Few faces at the rim of a cylinder.
+void few_faces_keep_a_rim()
+{
+  const Mesh cylinder = meshes::to_mesh<Mesh>(meshes::turned({{1, 0}, {1, 2}}, 64, false));
+  std::size_t kept = 0, ranges = 0;
+  for(const Edge e : cylinder.edges())
+  {
+    if(cylinder.is_border(e) || dihedral_angle(e, cylinder) < 80)
+      continue;
+    ++ranges;
+    Mesh m = cylinder;
+    const auto report = IAR::isotropic_remeshing(faces_around(m.face(m.halfedge(e)), 5, m), .6 * mean_edge_length(m), m);
+    m.collect_garbage();
+    kept += report.features == Features::all_sharp_edges && std::abs(PMP::area(m) / PMP::area(cylinder) - 1) < 1e-3 &&
+            !does_self_intersect(m);
+  }
+  CHECK_MESSAGE(ranges >= 64 && kept == ranges, kept << " of " << ranges);
+}
+
+// The part of a model that is a CAD model on its own is one beside what is none: the notch in a ball of few facets.
+void a_part_keeps_its_features_beside_what_is_none()
+{
+  Mesh cube = meshes::to_mesh<Mesh>(meshes::cube(1));
+  const CGAL::Bbox_3 box = PMP::bbox(cube);
+  const auto scaled = [](double x, double least, double most) { return .6 * (x - least) / (most - least) - .3; };
+  for(const Vertex v : cube.vertices())
+    cube.point(v) = Point(1 + scaled(cube.point(v).x(), box.xmin(), box.xmax()), scaled(cube.point(v).y(), box.ymin(), box.ymax()),
+                          scaled(cube.point(v).z(), box.zmin(), box.zmax()));
+  Mesh m = models::difference(meshes::to_mesh<Mesh>(meshes::sphere(1)), cube);
+  const auto is_of_notch = [&](Vertex v) {
+    const Point& p = m.point(v);
+    return p.x() > .7 - 1e-9 && std::abs(p.y()) < .3 + 1e-9 && std::abs(p.z()) < .3 + 1e-9;
+  };
+  std::vector<Face> notch;
+  for(const Face f : m.faces())
+  {
+    const auto corners = m.vertices_around_face(m.halfedge(f));
+    if(std::all_of(corners.begin(), corners.end(), is_of_notch))
+      notch.push_back(f);
+  }
+  const Edge_map map = m.add_property_map<Edge, bool>("e:feature", false).first;
+  const double length = .1;
+  const std::size_t of_all = IAR::detect_features(m.faces(), m, map, length), of_notch = IAR::detect_features(notch, m, map, length);
+  CHECK_MESSAGE(of_all < of_notch && of_notch >= 8, of_all << ", " << of_notch << " of " << notch.size() << " faces");
+  const auto report = IAR::isotropic_remeshing(notch, length, m);
+  CHECK_MESSAGE(report.features == Features::all_sharp_edges && report.feature_edges == of_notch, report.feature_edges);
+}
+
 // --- curves of every shape ---------------------------------------------------------------------------------------
 
 // Marks edges of the square of 20 by 20 cells, by their ends in cells.
@@ -1926,6 +2053,22 @@ void stairs_of_voxels_are_no_features()
     if(meshes::is_small_run())
       break;
   }
+}
+
+// A few stairs of voxels look like a part.
+void small_ranges_on_stairs_have_no_features()
+{
+  Mesh m = segmentation({20, 20, 20}, {1, 1, 1}, [](int x, int y, int z) {
+    return (x - 10) * (x - 10) + (y - 10) * (y - 10) + (z - 10) * (z - 10) < 64; });
+  const double length = .25 * mean_edge_length(m);
+  const Edge_map map = m.add_property_map<Edge, bool>("e:feature", false).first;
+  CHECK(IAR::detect_features(m.faces(), m, map, length) == 0);
+  std::mt19937 random(11);
+  std::size_t found = 0;
+  for(const std::size_t n : {5, 20, 100})
+    for(int k = 0; k < 10; ++k)
+      found += IAR::detect_features(faces_around(Face(unsigned(random() % m.number_of_faces())), n, m), m, map, length) > 0;
+  CHECK_MESSAGE(found == 0, found);
 }
 
 // However they lie, with coordinates of single precision, and cut open.
@@ -3244,6 +3387,10 @@ int main()
   rims_stay_closed_and_become_round();
   projectors_keep_to_their_patches();
   projectors_keep_to_the_range();
+  an_mls_projector_of_the_whole_serves_a_range();
+  features_of_a_range_are_those_of_the_mesh();
+  few_faces_keep_a_rim();
+  a_part_keeps_its_features_beside_what_is_none();
   curves_may_end_meet_and_run_side_by_side();
   a_cusp_of_the_border_stays();
   small_holes_and_thin_walls_survive();
@@ -3266,6 +3413,7 @@ int main()
   piles_of_bars_keep_their_edges();
   knife_edges_are_features();
   stairs_of_voxels_are_no_features();
+  small_ranges_on_stairs_have_no_features();
   stairs_of_thin_vessels_are_no_features();
   turned_stairs_are_no_features();
   simplified_stairs_are_no_features();

@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
 #include <CGAL/Inter_angle_remeshing/internal/arguments/refuse.h>
 #include <CGAL/Inter_angle_remeshing/internal/exchange/flat_copy.h>
+#include <CGAL/Inter_angle_remeshing/internal/exchange/read_wider_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/feature_detection.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -142,7 +143,10 @@ vertex that has thousands.
         type
 @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-@param faces the range of triangular faces; edges to faces outside of it are no features
+@param faces the range of triangular faces; edges to faces outside of it are no features. What is a feature is told by these together
+       with triangles around them, about as many as the range has, at least 1000 and at most about 5000, in whole rings. If all these are no
+       CAD model, nor noise, leaves, a wrap or stairs of voxels, but the range alone is a CAD model, and has an area of at least 24 squares
+       of `scale`, or without one of its mean edge, it tells
 @param tmesh the mesh
 @param edge_is_feature set for every edge of the range: whether it is a feature. Edges of the border are not.
 @param scale the length of the edges that the mesh is to have: features much shorter than it are none, nor those much shorter than
@@ -179,7 +183,7 @@ std::size_t detect_features(const FaceRange& faces, const TriangleMesh& tmesh, E
   if (faces.begin() == faces.end()) return 0;
   const auto copy = internal::Flat_copy_builder<TriangleMesh, Vpm>(tmesh, vpm, CALLER).build(faces);
   const std::vector<Index> features = internal::find_features(
-    copy.mesh, scale / copy.mesh.unit(), scale > 0 ? Recipe().fillet_width : 0.,
+    copy.mesh, internal::read_wider_mesh(copy, tmesh, vpm, CALLER), scale / copy.mesh.unit(), scale > 0 ? Recipe().fillet_width : 0.,
     scale > 0 ? Recipe().relief_density : std::numeric_limits<double>::infinity());
   for (Index h = 0; h < 4 * Index(copy.faces.size()); ++h)
     if (copy.mesh.corner(h) < 3) put(edge_is_feature, edge(copy.halfedge(h), tmesh), false);

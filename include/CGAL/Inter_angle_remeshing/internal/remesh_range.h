@@ -193,8 +193,10 @@ Remeshing_report remesh_range(const FaceRange& range, const Length& length, Tria
   mark_constraints(exchange, tmesh, parameters.edge_is_constrained_map, parameters.vertex_is_constrained_map,
                    parameters.face_patch_map, parameters.constraint_settings);
   const double mean_length = total_length / (1.5 * double(exchange.input_faces().size()));
-  const Input_kind kind = find_and_mark_features(exchange.mesh(), wanted, mean_length, keeps_surface<Parameters>(),
-                                                 crest_width(parameters, target), parameters.recipe, parameters.constraint_settings);
+  const bool is_looked_at = keeps_surface<Parameters>() && parameters.recipe.surface != Recipe::Surface::paper;
+  const Input_kind kind = find_and_mark_features(exchange.mesh(), is_looked_at ? exchange.wider_mesh() : Wider_mesh(), wanted, mean_length,
+                                                 is_looked_at, crest_width(parameters, target), parameters.recipe,
+                                                 parameters.constraint_settings);
   const auto patches = read_patches(parameters.face_patch_map, exchange.input_faces());
   Remeshing_mesh mesh = exchange.take_mesh(parameters.recipe.split_rim && !parameters.constraint_settings.protect);
   settle_corners(mesh, kind, wanted, may_merge_curve_vertices(parameters, kind) ? parameters.recipe.merging_distance : 0.);

@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/exchange/Outside_faces.h>
 #include <CGAL/Inter_angle_remeshing/internal/exchange/flat_copy.h>
 #include <CGAL/Inter_angle_remeshing/internal/exchange/read_surroundings.h>
+#include <CGAL/Inter_angle_remeshing/internal/exchange/read_wider_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh_graph.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -90,6 +91,9 @@ public:
 
   // The user's faces, by their number in the input: Corner_table::Face::source.
   const std::vector<face_descriptor>& input_faces() const { return copy_.faces; }
+
+  // The range with faces around it, before take_mesh().
+  Wider_mesh wider_mesh() const { return read_wider_mesh(copy_, tmesh_, vpm_, caller_); }
 
   const Surroundings& surroundings() const { return surroundings_; }
 

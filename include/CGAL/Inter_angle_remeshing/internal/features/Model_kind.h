@@ -76,6 +76,14 @@ public:
   }
 
   bool is_cad() const { return is_cad_; }
+  // Whether the first n faces might be a CAD model alone, by the edges between them. Not on a wrap, on stairs, on leaves or in noise, which
+  // few faces do not tell from one. To be asked before the normals are filtered.
+  bool may_be_cad(std::size_t n) const
+  {
+    if (has_voxel_stairs_ || has_jagged_chamfers_ || has_leaves_ || are_of_noise()) return false;
+    const Lengths lengths = measure_edges(n, [](Index, double) {});
+    return lengths.mild - lengths.facets < MOST_MILD * lengths.sharp;
+  }
   // Whether it would be a CAD model, had it sharp edges instead of jagged chamfers.
   bool has_jagged_chamfers() const { return has_jagged_chamfers_; }
   // Whether its sharp edges are those of the stairs that marching cubes leave. It is no CAD model then.
@@ -104,12 +112,13 @@ public:
   }
 
 private:
+  // Calls `function(h)` for one half-edge of each edge between the first n faces.
   template <class Function>
-  void for_each_inner_edge(const Function& function) const
+  void for_each_inner_edge(std::size_t n, const Function& function) const
   {
-    for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f)
+    for (Index f = 0; f < Index(n); ++f)
       for (Index h = 4 * f; h < 4 * f + 3; ++h)
-        if (mesh_.opposite(h) > h) function(h);
+        if (mesh_.opposite(h) > h && mesh_.opposite(h) < Index(4 * n)) function(h);
   }
 
   // Whether the face of h is part of a planar polygon beyond h.
@@ -117,10 +126,14 @@ private:
 
   void look_at_edges()
   {
-    const Lengths lengths = measure_edges();
+    const double least = cosine_of_degrees(LEAST_ANGLE);
+    const Lengths lengths = measure_edges(mesh_.number_of_face_slots(), [&](Index h, double cosine) {
+      if (cosine <= least) sharp_edges_.push_back(h); });
     const std::vector<Index> candidates = sharp_edges(CAD_ANGLE);
     count_vertices(candidates);
-    is_cad_ = looks_designed(lengths, candidates) && !are_of_leaves(lengths);
+    is_cad_ = looks_designed(lengths, candidates);
+    has_leaves_ = is_cad_ && are_of_leaves(lengths);
+    is_cad_ = is_cad_ && !has_leaves_;
     const Jagged_chamfers chamfers(normals_, candidates);
     has_voxel_stairs_ = are_stairs(chamfers);
     has_jagged_chamfers_ = is_cad_ && !has_voxel_stairs_ && chamfers.are_there(own_length_) &&
@@ -139,19 +152,20 @@ private:
     bool are_mostly_flat = false;        // more than half of the edges, by number
   };
 
-  // Notes the sharp edges, too.
-  Lengths measure_edges()
+  // Those between the first n faces. Calls `function(h, c)` for each of these edges, with the cosine of its dihedral angle.
+  template <class Function>
+  Lengths measure_edges(std::size_t n, const Function& function) const
   {
     const double sharp = cosine_of_degrees(CAD_ANGLE), mild = cosine_of_degrees(MILD_ANGLE), flat = cosine_of_degrees(FLAT_ANGLE),
-                 least = cosine_of_degrees(LEAST_ANGLE), turning = cosine_of_degrees(TURNING_ANGLE);
+                 turning = cosine_of_degrees(TURNING_ANGLE);
     Lengths result;
     std::size_t flat_edges = 0, edges = 0;
-    for_each_inner_edge([&](Index h) {
+    for_each_inner_edge(n, [&](Index h) {
       const double c = normals_.cosine(h), l = std::sqrt(mesh_.squared_edge_length(h));
       ++edges;
       result.all += l;
       flat_edges += c > flat;
-      if (c <= least) sharp_edges_.push_back(h);
+      function(h, c);
       if (c > mild) return;
       (c <= sharp ? result.sharp : result.mild) += l;
       if (c <= turning) result.turning += l;
@@ -280,7 +294,7 @@ private:
   const Face_normals& normals_;
   const Remeshing_mesh& mesh_;
   double own_length_;
-  bool is_cad_ = false, has_jagged_chamfers_ = false, has_voxel_stairs_ = false;
+  bool is_cad_ = false, has_leaves_ = false, has_jagged_chamfers_ = false, has_voxel_stairs_ = false;
   std::size_t sharp_vertices_ = 0, free_ends_ = 0, junctions_ = 0, saddles_ = 0;       // of edges of CAD_ANGLE
   std::vector<Index> sharp_edges_, creases_, smooth_curves_;
 };

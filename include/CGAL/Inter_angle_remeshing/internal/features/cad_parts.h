@@ -28,6 +28,13 @@ struct Features_with_parts
   std::vector<Remeshing_mesh::Index> faces;      // of the components that are CAD models, where the mesh as a whole is none
 };
 
+// Whether a part is large enough to be a CAD model on its own: a cube of less than twice the target length is a few faces, sharp or not.
+inline bool is_large_part(const Remeshing_mesh& part, double target_length)
+{
+  constexpr double LEAST_AREA = 24;                // in squares of the target length
+  return area(part) >= LEAST_AREA * target_length * target_length;
+}
+
 class Cad_parts
 {
 public:
@@ -51,7 +58,7 @@ public:
       const Remeshing_mesh part = mesh_of(faces);
       std::vector<double> lengths_in_part;
       for (const Index f : faces) lengths_in_part.push_back(lengths[f]);
-      if (!is_large(part, *std::max_element(lengths_in_part.begin(), lengths_in_part.end()))) continue;
+      if (!is_large_part(part, *std::max_element(lengths_in_part.begin(), lengths_in_part.end()))) continue;
       Feature_detector detector(part, length);
       const Model_kind& kind = detector.kind();
       if (!kind.is_cad() && kind.smooth_curves().empty()) continue;
@@ -62,9 +69,6 @@ public:
   }
 
 private:
-  // The least area of a part, in squares of the target length: a cube of less than twice that length is a few faces, sharp or not.
-  static constexpr double LEAST_AREA = 24;
-
   Index in_part(Index h) const { return 4 * face_in_part_[h >> 2] + (h & 3); }
 
   Remeshing_mesh mesh_of(const std::vector<Index>& faces)
@@ -91,11 +95,6 @@ private:
       }
     }
     return part;
-  }
-
-  static bool is_large(const Remeshing_mesh& part, double target_length)
-  {
-    return area(part) >= LEAST_AREA * target_length * target_length;
   }
 
   const Remeshing_mesh& mesh_;

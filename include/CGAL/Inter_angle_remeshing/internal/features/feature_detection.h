@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURES_FEATURE_DETECTION_H
 
 #include <CGAL/Inter_angle_remeshing/internal/compiled.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/Wider_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh.h>
 
 #include <vector>
@@ -21,7 +22,7 @@ std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh);
 // Those that edges of this length would cut off; 0: those that the mesh has on its own. The other arguments are those of
 // Feature_detector::features_for().
 CGAL_INTER_ANGLE_REMESHING_INLINE
-std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, double scale, double fillet_width,
+std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, const Wider_mesh& wider, double scale, double fillet_width,
                                                  double relief_density);
 
 } // namespace internal

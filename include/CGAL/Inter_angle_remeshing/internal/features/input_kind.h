@@ -11,6 +11,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/compiled.h>
 #include <CGAL/Inter_angle_remeshing/internal/exchange/constraints.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/Rounded_edges.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/Wider_mesh.h>
 
 #include <cstddef>
 #include <vector>
@@ -33,11 +34,12 @@ struct Input_kind
 };
 
 // The `target` is in the units of the mesh, as is the `mean_length` of its edges. Features are found by themselves where nothing is
-// marked, if the run keeps to the input's surface: a functor of the user's may lead to any other, a sphere for an icosahedron. So are
-// crests of at most so many target lengths, whatever is marked; as they are there for the iterations alone, they are not counted.
+// marked, if the input is looked at, as where the run keeps to its surface: a functor of the user's may lead to any other, a sphere for an icosahedron. So are
+// crests of at most so many target lengths, whatever is marked; as they are there for the iterations alone, they are not counted. All that
+// is looked for in the wider mesh, if there is one.
 CGAL_INTER_ANGLE_REMESHING_INLINE
-Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, double mean_length, bool keeps_surface, double crest_width,
-                                  const Recipe& recipe, const Constraint_settings& settings);
+Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Wider_mesh& wider, const Target& target, double mean_length,
+                                  bool is_looked_at, double crest_width, const Recipe& recipe, const Constraint_settings& settings);
 
 // How rough noise makes the stars of a mesh with edges of the target length: the shorter these are beside the input's, the rougher.
 inline double noise(const Input_kind& kind, double mean_length, double target)

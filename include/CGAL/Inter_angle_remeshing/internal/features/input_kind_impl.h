@@ -8,8 +8,11 @@
 #include <CGAL/Inter_angle_remeshing/internal/features/Feature_detector.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/cad_parts.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/input_kind.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/look_at_range.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -37,39 +40,95 @@ inline void mark_crests(Remeshing_mesh& mesh, const std::vector<Remeshing_mesh::
   }
 }
 
-CGAL_INTER_ANGLE_REMESHING_INLINE
-Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Target& target, double mean_length, bool keeps_surface,
-                                  double crest_width, const Recipe& recipe, const Constraint_settings& settings)
+// What is known of the input once it was looked at, and what is to be marked.
+struct Found_in_input
 {
-  using Features = Remeshing_report::Features;
-  Input_kind kind{false, false, false, Features::none, features_of(mesh).size(), 0, {}, {}};
-  if (kind.feature_edges > 0) kind.features = Features::marked;
-  if (!keeps_surface || recipe.surface == Recipe::Surface::paper) return kind;
-  Feature_detector detector(mesh, target.length);
-  kind.is_cad = detector.kind().is_cad();
+  Input_kind kind{};
+  bool is_cad = false, range_may_be_cad = false;         // the latter alone
+  std::vector<Remeshing_mesh::Index> edges, crests;      // one half-edge of each, sorted
+
+  // Found in `wider`, it becomes what there is of it in `mesh`; joints are kept within, on features that are.
+  void keep_part(const Remeshing_mesh& mesh, const Remeshing_mesh& wider)
+  {
+    for (auto* of_wider : {&edges, &crests, &kind.rounded_edges.edges}) keep_own_edges(*of_wider, mesh);
+    std::vector<char> is_joint(wider.number_of_vertex_slots(), 0);
+    std::vector<Remeshing_mesh::Index>& joints = kind.rounded_edges.joints;
+    for (const Remeshing_mesh::Index v : joints) is_joint[v] = 1;
+    joints.clear();
+    const auto add = [&](Remeshing_mesh::Index v, Remeshing_mesh::Index in_wider) {
+      if (!is_joint[in_wider] || mesh.is_border_vertex(v)) return;
+      joints.push_back(v);
+      is_joint[in_wider] = 0;
+    };
+    for (const Remeshing_mesh::Index h : edges) {
+      add(mesh.origin(h), wider.origin(h));
+      add(mesh.target(h), wider.target(h));
+    }
+  }
+};
+
+// What is found in `seen`, which is the mesh or a wider one: see look_at_range().
+template <class Function>
+Found_in_input look_at_input(const Remeshing_mesh& mesh, const Remeshing_mesh& seen, const Function& face_of_range, const Target& target,
+                             double mean_length, double crest_width, const Recipe& recipe, bool searches_features)
+{
+  using Index = Remeshing_mesh::Index;
+  Found_in_input result;
+  Input_kind& kind = result.kind;
+  const double unit = mesh.unit() / seen.unit(), length = unit * target.length;
+  Feature_detector detector(seen, length);
+  kind.is_cad = result.is_cad = detector.kind().is_cad();
   kind.is_faceted = kind.is_cad || detector.kind().has_jagged_chamfers() || detector.kind().has_voxel_stairs();
   kind.saddle_excess = detector.kind().saddle_excess();
-  kind.searches_features = settings.finds_features;
+  kind.searches_features = searches_features;
+  result.range_may_be_cad = detector.kind().may_be_cad(mesh.number_of_face_slots());
   // Where vertices only move, features are those of the edges that there are.
   const bool keeps_vertices = !(target.length > 0);
-  std::vector<double> lengths(mesh.number_of_face_slots());
-  for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(lengths.size()); ++f)
-    lengths[f] = (keeps_vertices ? mean_length : target.length) * target.sizing.part_of_face(mesh.face_record(f).source);
-  const Features_with_parts found = features_with_parts(mesh, detector, target.length, lengths,
-                                                        [&](Feature_detector& of_part, const std::vector<double>& lengths_there) {
-    if (!kind.searches_features) return std::vector<Remeshing_mesh::Index>();
+  std::vector<double> lengths(seen.number_of_face_slots());
+  for (Index f = 0; f < Index(lengths.size()); ++f)
+    lengths[f] = (keeps_vertices ? unit * mean_length : length) * target.sizing.part_of_face(mesh.face_record(face_of_range(f)).source);
+  Features_with_parts found = features_with_parts(seen, detector, length, lengths,
+                                                  [&](Feature_detector& of_part, const std::vector<double>& lengths_there) {
+    if (!searches_features) return std::vector<Index>();
     if (keeps_vertices) return of_part.features(lengths_there);
     Found_features there = of_part.features_for(lengths_there, recipe.fillet_width, recipe.relief_density);
     if (&of_part == &detector) kind.rounded_edges = std::move(there.rounded);
     return there.edges;
   });
+  result.edges = std::move(found.edges);
+  for (const Index f : found.faces) {
+    if (f >= Index(mesh.number_of_face_slots())) continue;
+    kind.is_in_cad_part.resize(mesh.number_of_face_slots());
+    kind.is_in_cad_part[mesh.face_record(f).source] = 1;
+  }
+  const std::vector<Index> marked = features_of(mesh);
+  std::vector<Index> features;
+  std::set_union(marked.begin(), marked.end(), result.edges.begin(), result.edges.end(), std::back_inserter(features));
+  result.crests = detector.crests(features, std::move(lengths), crest_width);
+  return result;
+}
+
+CGAL_INTER_ANGLE_REMESHING_INLINE
+Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Wider_mesh& wider, const Target& target, double mean_length,
+                                  bool is_looked_at, double crest_width, const Recipe& recipe, const Constraint_settings& settings)
+{
+  using Features = Remeshing_report::Features;
+  const bool has_marks = !features_of(mesh).empty();
+  Found_in_input found;
+  if (is_looked_at) {
+    double largest_part = 0;
+    for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(mesh.number_of_face_slots()); ++f)
+      largest_part = (std::max)(largest_part, target.sizing.part_of_face(f));
+    const double length = largest_part * (target.length > 0 ? target.length : mean_length);
+    found = look_at_range(mesh, wider, length, [&](const Remeshing_mesh& seen, const auto& face_of_range) {
+      return look_at_input(mesh, seen, face_of_range, target, mean_length, crest_width, recipe, settings.finds_features); });
+  }
+  Input_kind kind = std::move(found.kind);
   for (const Remeshing_mesh::Index h : found.edges) mark_found_feature(mesh, h, settings);
   if (!found.edges.empty()) kind.features = kind.is_cad ? Features::all_sharp_edges : Features::outstanding_edges;
-  if (!found.faces.empty()) kind.is_in_cad_part.resize(mesh.number_of_face_slots());
-  for (const Remeshing_mesh::Index f : found.faces) kind.is_in_cad_part[mesh.face_record(f).source] = 1;
-  const std::vector<Remeshing_mesh::Index> features = features_of(mesh);
-  kind.feature_edges = features.size();
-  mark_crests(mesh, detector.crests(features, std::move(lengths), crest_width));
+  else kind.features = has_marks ? Features::marked : Features::none;
+  kind.feature_edges = features_of(mesh).size();
+  mark_crests(mesh, found.crests);
   return kind;
 }
 
