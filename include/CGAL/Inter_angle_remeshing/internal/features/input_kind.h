@@ -33,10 +33,10 @@ struct Input_kind
   std::vector<char> is_in_cad_part;      // by face of the range: of a component that is a CAD model; empty where none is
 };
 
-// The `target` is in the units of the mesh, as is the `mean_length` of its edges. Features are found by themselves where nothing is
-// marked, if the input is looked at, as where the run keeps to its surface: a functor of the user's may lead to any other, a sphere for an icosahedron. So are
-// crests of at most so many target lengths, whatever is marked; as they are there for the iterations alone, they are not counted. All that
-// is looked for in the wider mesh, if there is one.
+// The `target` is in the units of the mesh, as is the `mean_length` of its edges. Nothing is found where the input is not looked at, as
+// where the run does not keep to its surface: a functor of the user's may lead to any other, a sphere for an icosahedron. Else features are
+// found by themselves where nothing is marked, and crests of at most so many target lengths, whatever is marked; as these are there for the
+// iterations alone, they are not counted. All that is looked for in the wider mesh, if there is one.
 CGAL_INTER_ANGLE_REMESHING_INLINE
 Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Wider_mesh& wider, const Target& target, double mean_length,
                                   bool is_looked_at, double crest_width, const Recipe& recipe, const Constraint_settings& settings);
