@@ -1144,7 +1144,7 @@ void few_faces_keep_a_rim()
   CHECK_MESSAGE(ranges >= 64 && kept == ranges, kept << " of " << ranges);
 }
 
-// Where faces outside, near the range or not, are unfit for anything, the range is looked at alone: nothing is refused for them.
+// Faces outside that are unfit for anything, near the range or not, are left out: nothing is refused for them, nor lost.
 void what_lies_outside_need_not_be_fit()
 {
   const Mesh whole = models::of_cgal("anchor");

@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// The faces of the user's mesh, beside those of the copy, at the vertices of the copy that have faces outside. Triangles that is; any
-// others are left out.
+// The faces of the user's mesh, beside those of the copy, at the vertices of the copy that have faces outside. Triangles that is, with
+// finite points; any others are left out.
 template <class TriangleMesh, class VertexPointMap>
 Surroundings read_surroundings(const Flat_copy<TriangleMesh>& copy, const TriangleMesh& tmesh, const VertexPointMap& vpm)
 {
@@ -37,11 +37,17 @@ Surroundings read_surroundings(const Flat_copy<TriangleMesh>& copy, const Triang
 
   Descriptor_index<typename Traits::face_descriptor> is_inside(copy.faces.size());
   for (const auto f : copy.faces) is_inside.insert(f, 0);
+  const auto point = [&](const auto& v) { return (1 / copy.mesh.unit()) * to_vector3(get(vpm, v)); };
+  const auto is_triangle = [&](const auto& h) {
+    const auto following = next(h, tmesh), last = next(following, tmesh);
+    return next(last, tmesh) == h && is_finite(point(target(h, tmesh))) && is_finite(point(target(following, tmesh))) &&
+           is_finite(point(target(last, tmesh)));
+  };
   std::vector<typename Traits::halfedge_descriptor> around;
   for (const Index v : rim)
     for (const auto h : CGAL::halfedges_around_target(copy.vertices[v], tmesh)) {
       const auto f = face(h, tmesh);
-      if (f != Traits::null_face() && is_inside.find(f) < 0 && next(next(next(h, tmesh), tmesh), tmesh) == h) around.push_back(h);
+      if (f != Traits::null_face() && is_inside.find(f) < 0 && is_triangle(h)) around.push_back(h);
     }
 
   Descriptor_index<typename Traits::face_descriptor> is_known(around.size());
@@ -54,7 +60,7 @@ Surroundings read_surroundings(const Flat_copy<TriangleMesh>& copy, const Triang
     for (Index& corner : corners) {
       const auto v = target(h, tmesh);
       const auto [number, is_new] = name.insert(v, Index(copy.vertices.size() + points));
-      if (is_new) { result.points.push_back((1 / copy.mesh.unit()) * to_vector3(get(vpm, v))); ++points; }
+      if (is_new) { result.points.push_back(point(v)); ++points; }
       corner = number < Index(copy.vertices.size()) ? number : ~(number - Index(copy.vertices.size()));
       h = next(h, tmesh);
     }

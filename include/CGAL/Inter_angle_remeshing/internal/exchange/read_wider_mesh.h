@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/exchange/Descriptor_index.h>
 #include <CGAL/Inter_angle_remeshing/internal/exchange/flat_copy.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/Wider_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/geometry/to_vector3.h>
 
 #include <CGAL/exceptions.h>
 
@@ -23,13 +24,14 @@ namespace Inter_angle_remeshing {
 namespace internal {
 
 // The range that `copy` is of, and triangles that hang together with it over edges, ring by ring: about as many again, but at least 1000,
-// and no further rings from 5000 on.
+// and no further rings from 5000 on. What reaches farther than a thousand extents of the range, as where a point is broken, is not around it.
 template <class TriangleMesh, class VertexPointMap>
 Wider_mesh read_wider_mesh(const Flat_copy<TriangleMesh>& copy, const TriangleMesh& tmesh, const VertexPointMap& vpm, const char* caller)
 {
   using Traits = boost::graph_traits<TriangleMesh>;
   using Index = Remeshing_mesh::Index;
   constexpr std::size_t FEWEST = 1000, MOST = 5000;
+  constexpr double FARTHEST = 1000;
   std::size_t rim = 0;
   copy.mesh.for_each_halfedge([&](Index h) {
     rim += copy.mesh.is_border(h) && face(opposite(copy.halfedge(h), tmesh), tmesh) != Traits::null_face(); });
@@ -40,6 +42,8 @@ Wider_mesh read_wider_mesh(const Flat_copy<TriangleMesh>& copy, const TriangleMe
   Wider_mesh result;
   result.nearest_face.resize(faces.size());
   std::iota(result.nearest_face.begin(), result.nearest_face.end(), 0);
+  const auto is_around = [&](const auto& v) {
+    return squared_distance((1 / copy.mesh.unit()) * to_vector3(get(vpm, v)), copy.mesh.position(0)) <= FARTHEST * FARTHEST; };
   // The first ring has no more faces than the rim has edges, each further one at most twice as many as the one before.
   Descriptor_index<typename Traits::face_descriptor> is_known(enough + rim + 2 * wanted);
   for (const auto f : faces) is_known.insert(f, 0);
@@ -49,7 +53,7 @@ Wider_mesh read_wider_mesh(const Flat_copy<TriangleMesh>& copy, const TriangleMe
       for (int k = 0; k < 3; ++k, h = next(h, tmesh)) {
         const auto side = opposite(h, tmesh);
         if (face(side, tmesh) == Traits::null_face() || next(next(next(side, tmesh), tmesh), tmesh) != side ||
-            !is_known.insert(face(side, tmesh), 0).second)
+            !is_around(target(next(side, tmesh), tmesh)) || !is_known.insert(face(side, tmesh), 0).second)
           continue;
         faces.push_back(face(side, tmesh));
         result.nearest_face.push_back(result.nearest_face[i]);
