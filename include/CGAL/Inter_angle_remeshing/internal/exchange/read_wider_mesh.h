@@ -24,7 +24,8 @@ namespace Inter_angle_remeshing {
 namespace internal {
 
 // The range that `copy` is of, and triangles that hang together with it over edges, ring by ring: about as many again, but at least 1000,
-// and no further rings from 5000 on. What reaches farther than a thousand extents of the range, as where a point is broken, is not around it.
+// and no further rings from 5000 on. What reaches farther than a thousand extents of the range, as where a point is broken, is not around
+// it.
 template <class TriangleMesh, class VertexPointMap>
 Wider_mesh read_wider_mesh(const Flat_copy<TriangleMesh>& copy, const TriangleMesh& tmesh, const VertexPointMap& vpm, const char* caller)
 {
