@@ -133,7 +133,7 @@ Measured: of the edges over 40 degrees of fandisk.off with a noise of 15% of the
 found 99.7% is right. Of the some seventy models of \cgal that are not taken for CAD models, six have any feature, with at most
 0.8% of the edge length. Of ten organic models cut by three planes each, 94 to 100% of the rim are found.
 
-Complexity: linear in the number of faces, where ways across fillets look at two hundred faces at most, and on CAD models in the length of
+Complexity: linear in the number of faces, with up to about 5000 around a range, where ways across fillets look at two hundred faces at most, and on CAD models in the length of
 their sharp edges over `scale`, which are looked at in pieces as short as a fortieth of it; on other models the square of the faces at a
 vertex that has thousands.
 
@@ -144,9 +144,9 @@ vertex that has thousands.
 @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 @param faces the range of triangular faces; edges to faces outside of it are no features. What is a feature is told by these together
-       with triangles around them, about as many as the range has, at least 1000 and at most about 5000, in whole rings. If all these are no
-       CAD model, nor noise, leaves, a wrap or stairs of voxels, but the range alone is a CAD model, and has an area of at least 24 squares
-       of `scale`, or without one of its mean edge, it tells
+       with triangles around them, about as many as the range has, at least 1000 and at most about 5000, in whole rings, but no farther away
+       than a thousand times the extent of the range. Where all these are no CAD model, nor noise, leaves, a wrap or stairs of voxels, but the
+       range alone is a CAD model, with an area of at least 24 squares of `scale`, or without one of its mean edge, it is told by the range
 @param tmesh the mesh
 @param edge_is_feature set for every edge of the range: whether it is a feature. Edges of the border are not.
 @param scale the length of the edges that the mesh is to have: features much shorter than it are none, nor those much shorter than

@@ -38,7 +38,7 @@ std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, con
   return look_at_range(mesh, wider, scale > 0 ? scale : mean_edge_length(mesh), [&](const Remeshing_mesh& seen, const auto&) {
     const double unit = mesh.unit() / seen.unit(), length = scale > 0 ? unit * scale : mean_edge_length(seen);
     Feature_detector detector(seen, unit * scale);
-    Found found{detector.kind().is_cad(), detector.kind().may_be_cad(mesh.number_of_face_slots()), {}};
+    Found found{detector.kind().is_cad(), &seen != &mesh && detector.kind().may_be_cad(mesh.number_of_face_slots()), {}};
     found.edges = features_with_parts(seen, detector, unit * scale, std::vector<double>(seen.number_of_face_slots(), length),
                                       [&](Feature_detector& d, const std::vector<double>& lengths) {
       return d.features_for(lengths, fillet_width, relief_density).edges; }).edges;

@@ -44,7 +44,7 @@ inline void mark_crests(Remeshing_mesh& mesh, const std::vector<Remeshing_mesh::
 struct Found_in_input
 {
   Input_kind kind{};
-  bool is_cad = false, range_may_be_cad = false;         // the latter alone
+  bool is_cad = false, range_may_be_cad = false;         // the latter alone, asked where a wider mesh was looked at
   std::vector<Remeshing_mesh::Index> edges, crests;      // one half-edge of each, sorted
 
   // Found in `wider`, it becomes what there is of it in `mesh`; joints are kept within, on features that are.
@@ -81,7 +81,7 @@ Found_in_input look_at_input(const Remeshing_mesh& mesh, const Remeshing_mesh& s
   kind.is_faceted = kind.is_cad || detector.kind().has_jagged_chamfers() || detector.kind().has_voxel_stairs();
   kind.saddle_excess = detector.kind().saddle_excess();
   kind.searches_features = searches_features;
-  result.range_may_be_cad = detector.kind().may_be_cad(mesh.number_of_face_slots());
+  result.range_may_be_cad = &seen != &mesh && detector.kind().may_be_cad(mesh.number_of_face_slots());
   // Where vertices only move, features are those of the edges that there are.
   const bool keeps_vertices = !(target.length > 0);
   std::vector<double> lengths(seen.number_of_face_slots());
