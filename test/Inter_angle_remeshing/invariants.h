@@ -33,6 +33,20 @@ using Edge = Mesh::Edge_index;
 using Halfedge = Mesh::Halfedge_index;
 using Face = Mesh::Face_index;
 
+// --- ranges ------------------------------------------------------------------------------------------------------
+
+// The first `n` faces that a search by breadth meets from `start` on.
+inline std::vector<Face> faces_around(Face start, std::size_t n, const Mesh& m)
+{
+  std::vector<Face> range = {start};
+  std::set<Face> known = {start};
+  for(std::size_t i = 0; i < range.size(); ++i)
+    for(const auto f : CGAL::faces_around_face(m.halfedge(range[i]), m))
+      if(f != Mesh::null_face() && range.size() < n && known.insert(f).second)
+        range.push_back(f);
+  return range;
+}
+
 // --- topology ----------------------------------------------------------------------------------------------------
 
 struct Topology

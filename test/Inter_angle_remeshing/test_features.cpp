@@ -1077,18 +1077,6 @@ void an_mls_projector_of_the_whole_serves_a_range()
 
 // --- small ranges ------------------------------------------------------------------------------------------------
 
-// The first `n` faces that a search by breadth meets from `start` on.
-std::vector<Face> faces_around(Face start, std::size_t n, const Mesh& m)
-{
-  std::vector<Face> range = {start};
-  std::set<Face> known = {start};
-  for(std::size_t i = 0; i < range.size(); ++i)
-    for(const auto f : CGAL::faces_around_face(m.halfedge(range[i]), m))
-      if(f != Mesh::null_face() && range.size() < n && known.insert(f).second)
-        range.push_back(f);
-  return range;
-}
-
 // The dihedral angles of a few faces tell nothing about the model; those around them do. Edges of organic models were taken for features,
 // too, where a range looked like a part.
 void features_of_a_range_are_those_of_the_mesh()

@@ -16,6 +16,7 @@
 #endif
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 
 #include "check.h"
 #include "invariants.h"
@@ -373,6 +374,42 @@ void curvature_of_a_range()
   CHECK(unknown > 0 && unknown < m.number_of_vertices());
   const Curvature_field none(.001, {.01, 7}, std::vector<Face>(), m);
   CHECK(none.at(*m.vertices().begin(), m) == 7);
+}
+
+// Lengths of a range are those of the mesh: the rim is no border, and there are features that a few faces do not tell.
+void curvature_of_a_range_is_that_of_the_mesh()
+{
+  for(const char* name : {"elephant", "fandisk", "anchor_dense"})
+    for(const bool is_marked : {false, true})
+    {
+      Mesh m = models::of_cgal(name);
+      const double mean = mean_edge_length(m);
+      const auto feature = m.add_property_map<Edge, bool>("e:feature", false).first;
+      if(is_marked)
+        PMP::detect_sharp_edges(m, 40, feature);
+      const auto field_of = [&](const auto& range) {
+        const std::pair<double, double> lengths(.25 * mean, 4 * mean);
+        return is_marked ? Curvature_field(.02 * mean, lengths, range, m, parameters::edge_is_constrained_map(feature))
+                         : Curvature_field(.02 * mean, lengths, range, m);
+      };
+      const Curvature_field whole = field_of(m.faces());
+      std::mt19937 random(9);
+      std::size_t vertices = 0, off = 0;
+      for(const std::size_t n : {10, 100, 1000})
+        for(int k = 0; k < (meshes::is_small_run() ? 3 : 20); ++k)
+        {
+          const std::vector<Face> range = faces_around(Face(unsigned(random() % m.number_of_faces())), n, m);
+          const Curvature_field part = field_of(range);
+          for(const Face f : range)
+            for(const Vertex v : CGAL::vertices_around_face(m.halfedge(f), m))
+            {
+              const double ratio = part.at(v, m) / whole.at(v, m);
+              ++vertices;
+              off += ratio < .8 || ratio > 1.25;
+            }
+        }
+      CHECK_MESSAGE(100 * off <= 2 * vertices, name << (is_marked ? ", marked: " : ": ") << off << " of " << vertices);
+    }
 }
 
 #if CGAL_VERSION_NR >= 1060000000
@@ -1225,6 +1262,7 @@ int main()
   gradation_is_bounded();
   lengths_rise_with_the_tolerance();
   curvature_of_a_range();
+  curvature_of_a_range_is_that_of_the_mesh();
 #if CGAL_VERSION_NR >= 1060000000
   fields_of_polygon_mesh_processing_are_taken();
 #endif

@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/exchange/constraints.h>
 #include <CGAL/Inter_angle_remeshing/internal/exchange/flat_copy.h>
+#include <CGAL/Inter_angle_remeshing/internal/exchange/read_wider_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/feature_detection.h>
 #include <CGAL/Inter_angle_remeshing/internal/sizing/curvature_lengths.h>
 
@@ -41,7 +42,9 @@ than the `gradation` with the distance.
 Features, the ones of a map or the ones that `detect_features()` finds, and the border bound the smooth parts of the surface: an
 edge of a cube is not taken for a large curvature. They are curves themselves, and where these are bent lengths are short.
 Curvatures are averaged over neighborhoods of half the target length, of two to six edges of the input, so that noise
-cancels out. The field knows the vertices of the range as it was constructed, and is to be used before the mesh is changed.
+cancels out. At the rim of a range, beyond which the mesh goes on, they are told with triangles around it, as features are, see
+`detect_features()`, and the rim itself is no curve. The field knows the vertices of the range as it was constructed, and is to be
+used before the mesh is changed.
 
 `CGAL::Polygon_mesh_processing::Adaptive_sizing_field` of \cgal 6, of which this one has the arguments, is taken by
 `isotropic_remeshing()` as well. Of the concept `PMPSizingField` this class has the member that `isotropic_remeshing()` calls, not those
@@ -54,7 +57,8 @@ Complexity: linear in the number of faces, times log of it.
 template <class TriangleMesh>
 class Curvature_sizing_field
 {
-  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Traits::vertex_descriptor;
 
 public:
   /// the number type
@@ -104,20 +108,29 @@ public:
     const auto vpm = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                       get_const_property_map(CGAL::vertex_point, tmesh));
     const auto ecm = choose_parameter(get_parameter(np, CGAL::internal_np::edge_is_constrained), internal::No_map());
-    auto copy = internal::Flat_copy_builder<TriangleMesh, std::decay_t<decltype(vpm)>>(tmesh, vpm, CALLER).build(faces);
+    internal::Flat_copy<TriangleMesh> copy =
+      internal::Flat_copy_builder<TriangleMesh, std::decay_t<decltype(vpm)>>(tmesh, vpm, CALLER).build(faces);
+    internal::Wider_copy<TriangleMesh> wider = internal::read_wider_copy(copy, tmesh, vpm, CALLER);
+    internal::Flat_copy<TriangleMesh>& seen = wider.faces.empty() ? copy : wider;
+    seen.mesh.for_each_halfedge([&](Index h) {
+      if (seen.mesh.is_border(h) && face(opposite(seen.halfedge(h), tmesh), tmesh) != Traits::null_face())
+        seen.mesh.add_flags(h, internal::Remeshing_mesh::ON_RIM);
+    });
     if constexpr (!std::is_same<std::decay_t<decltype(ecm)>, internal::No_map>::value) {
-      for (Index h = 0; h < 4 * Index(copy.faces.size()); ++h)
-        if (copy.mesh.corner(h) < 3 && get(ecm, edge(copy.halfedge(h), tmesh))) internal::mark_feature(copy.mesh, h);
+      seen.mesh.for_each_halfedge([&](Index h) {
+        if (get(ecm, edge(seen.halfedge(h), tmesh))) internal::mark_feature(seen.mesh, h);
+      });
     } else {
-      for (const Index h : internal::find_features(copy.mesh)) internal::mark_feature(copy.mesh, h);
+      for (const Index h : internal::find_features(copy.mesh, wider.mesh)) internal::mark_feature(seen.mesh, h);
     }
-    const std::vector<double> lengths = internal::curvature_lengths(copy.mesh, tolerance, length_range, gradation);
+    const std::vector<double> lengths = internal::curvature_lengths(seen.mesh, tolerance, length_range, gradation);
     auto table = std::make_shared<Table>(copy.vertices.size());
-    for (Index v = 0; v < Index(lengths.size()); ++v) {
-      const auto [i, is_new] = table->number.insert(copy.vertices[v], Index(table->lengths.size()));
+    copy.mesh.for_each_halfedge([&](Index h) {       // of the same number in both copies
+      const Index v = seen.mesh.origin(h);
+      const auto [i, is_new] = table->number.insert(seen.vertices[v], Index(table->lengths.size()));
       if (is_new) table->lengths.push_back(lengths[v]);
       else table->lengths[i] = (std::min)(table->lengths[i], lengths[v]);
-    }
+    });
     table_ = std::move(table);
   }
 

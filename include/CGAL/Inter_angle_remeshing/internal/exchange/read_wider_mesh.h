@@ -17,17 +17,26 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
+// See Wider_mesh.
+template <class TriangleMesh>
+struct Wider_copy : Flat_copy<TriangleMesh>
+{
+  std::vector<Remeshing_mesh::Index> nearest_face;
+};
+
 // The range that `copy` is of, and triangles that hang together with it over edges, ring by ring: about as many again, but at least 1000,
 // and no further rings from 5000 on. What reaches farther than a thousand extents of the range, as where a point is broken, is not around
 // it.
 template <class TriangleMesh, class VertexPointMap>
-Wider_mesh read_wider_mesh(const Flat_copy<TriangleMesh>& copy, const TriangleMesh& tmesh, const VertexPointMap& vpm, const char* caller)
+Wider_copy<TriangleMesh> read_wider_copy(const Flat_copy<TriangleMesh>& copy, const TriangleMesh& tmesh, const VertexPointMap& vpm,
+                                         const char* caller)
 {
   using Traits = boost::graph_traits<TriangleMesh>;
   using Index = Remeshing_mesh::Index;
@@ -40,7 +49,7 @@ Wider_mesh read_wider_mesh(const Flat_copy<TriangleMesh>& copy, const TriangleMe
 
   const std::size_t wanted = (std::min)((std::max)(copy.faces.size(), FEWEST), MOST), enough = copy.faces.size() + wanted;
   auto faces = copy.faces;
-  Wider_mesh result;
+  Wider_copy<TriangleMesh> result;
   result.nearest_face.resize(faces.size());
   std::iota(result.nearest_face.begin(), result.nearest_face.end(), 0);
   const auto is_around = [&](const auto& v) {
@@ -63,11 +72,18 @@ Wider_mesh read_wider_mesh(const Flat_copy<TriangleMesh>& copy, const TriangleMe
   if (faces.size() == copy.faces.size()) return {};
   // Where a face outside is unfit, the range is looked at alone.
   try {
-    result.mesh = Flat_copy_builder<TriangleMesh, VertexPointMap>(tmesh, vpm, caller).build(faces).mesh;
+    static_cast<Flat_copy<TriangleMesh>&>(result) = Flat_copy_builder<TriangleMesh, VertexPointMap>(tmesh, vpm, caller).build(faces);
   } catch (const CGAL::Precondition_exception&) {
     return {};
   }
   return result;
+}
+
+template <class TriangleMesh, class VertexPointMap>
+Wider_mesh read_wider_mesh(const Flat_copy<TriangleMesh>& copy, const TriangleMesh& tmesh, const VertexPointMap& vpm, const char* caller)
+{
+  Wider_copy<TriangleMesh> wider = read_wider_copy(copy, tmesh, vpm, caller);
+  return {std::move(wider.mesh), std::move(wider.nearest_face)};
 }
 
 } // namespace internal

@@ -6,7 +6,6 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURES_FEATURE_DETECTION_H
 
 #include <CGAL/Inter_angle_remeshing/internal/compiled.h>
-#include <CGAL/Inter_angle_remeshing/internal/features/Wider_mesh.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh.h>
 
 #include <vector>
@@ -15,15 +14,16 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// One half-edge of each feature of a mesh, sorted: at the scale of its own edges.
+// One half-edge of each feature of a mesh, sorted: at the scale of its own edges. Where there is a wider mesh, see Wider_mesh.h, those of all
+// of that, or of the range alone where that says more.
 CGAL_INTER_ANGLE_REMESHING_INLINE
-std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh);
+std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, const Remeshing_mesh& wider = Remeshing_mesh());
 
 // Those that edges of this length would cut off; 0: those that the mesh has on its own. The other arguments are those of
 // Feature_detector::features_for().
 CGAL_INTER_ANGLE_REMESHING_INLINE
-std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, const Wider_mesh& wider, double scale, double fillet_width,
-                                                 double relief_density);
+std::vector<Remeshing_mesh::Index> find_features_for(const Remeshing_mesh& mesh, const Remeshing_mesh& wider, double scale,
+                                                     double fillet_width, double relief_density);
 
 } // namespace internal
 } // namespace Inter_angle_remeshing

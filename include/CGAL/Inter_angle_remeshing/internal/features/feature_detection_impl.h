@@ -17,33 +17,38 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-CGAL_INTER_ANGLE_REMESHING_INLINE
-std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh)
-{
-  Feature_detector detector(mesh, 0);
-  return features_with_parts(mesh, detector, 0, std::vector<double>(mesh.number_of_face_slots(), mean_edge_length(mesh)),
-                             [](Feature_detector& d, const std::vector<double>& lengths) { return d.features(lengths); }).edges;
-}
-
-CGAL_INTER_ANGLE_REMESHING_INLINE
-std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, const Wider_mesh& wider, double scale, double fillet_width,
-                                                 double relief_density)
+// What `find(detector, lengths)` finds in the range, `mesh`, as a part of the wider mesh; the lengths are `scale` by face, or, if that is 0,
+// the mean edge length.
+template <class Find>
+std::vector<Remeshing_mesh::Index> find_features_in_range(const Remeshing_mesh& mesh, const Remeshing_mesh& wider, double scale,
+                                                          const Find& find)
 {
   struct Found
   {
     bool is_cad, range_may_be_cad;
     std::vector<Remeshing_mesh::Index> edges;
-    void keep_part(const Remeshing_mesh& mesh, const Remeshing_mesh&) { keep_own_edges(edges, mesh); }
   };
-  return look_at_range(mesh, wider, scale > 0 ? scale : mean_edge_length(mesh), [&](const Remeshing_mesh& seen, const auto&) {
+  return look_at_range(mesh, wider, scale > 0 ? scale : mean_edge_length(mesh), [&](const Remeshing_mesh& seen) {
     const double unit = mesh.unit() / seen.unit(), length = scale > 0 ? unit * scale : mean_edge_length(seen);
     Feature_detector detector(seen, unit * scale);
     Found found{detector.kind().is_cad(), &seen != &mesh && detector.kind().may_be_cad(mesh.number_of_face_slots()), {}};
-    found.edges = features_with_parts(seen, detector, unit * scale, std::vector<double>(seen.number_of_face_slots(), length),
-                                      [&](Feature_detector& d, const std::vector<double>& lengths) {
-      return d.features_for(lengths, fillet_width, relief_density).edges; }).edges;
+    found.edges = features_with_parts(seen, detector, unit * scale, std::vector<double>(seen.number_of_face_slots(), length), find).edges;
     return found;
   }).edges;
+}
+
+CGAL_INTER_ANGLE_REMESHING_INLINE
+std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, const Remeshing_mesh& wider)
+{
+  return find_features_in_range(mesh, wider, 0, [](Feature_detector& d, const std::vector<double>& lengths) { return d.features(lengths); });
+}
+
+CGAL_INTER_ANGLE_REMESHING_INLINE
+std::vector<Remeshing_mesh::Index> find_features_for(const Remeshing_mesh& mesh, const Remeshing_mesh& wider, double scale,
+                                                     double fillet_width, double relief_density)
+{
+  return find_features_in_range(mesh, wider, scale, [&](Feature_detector& d, const std::vector<double>& lengths) {
+    return d.features_for(lengths, fillet_width, relief_density).edges; });
 }
 
 } // namespace internal

@@ -67,7 +67,7 @@ struct Found_in_input
   }
 };
 
-// What is found in `seen`, which is the mesh or a wider one: see look_at_range().
+// What is found in `seen`, which is the mesh or a wider one, whose face f is nearest to face `face_of_range(f)` of the mesh.
 template <class Function>
 Found_in_input look_at_input(const Remeshing_mesh& mesh, const Remeshing_mesh& seen, const Function& face_of_range, const Target& target,
                              double mean_length, double crest_width, const Recipe& recipe, bool searches_features)
@@ -120,8 +120,13 @@ Input_kind find_and_mark_features(Remeshing_mesh& mesh, const Wider_mesh& wider,
     for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(mesh.number_of_face_slots()); ++f)
       largest_part = (std::max)(largest_part, target.sizing.part_of_face(f));
     const double length = largest_part * (target.length > 0 ? target.length : mean_length);
-    found = look_at_range(mesh, wider, length, [&](const Remeshing_mesh& seen, const auto& face_of_range) {
-      return look_at_input(mesh, seen, face_of_range, target, mean_length, crest_width, recipe, settings.finds_features); });
+    found = look_at_range(mesh, wider.mesh, length, [&](const Remeshing_mesh& seen) {
+      const bool is_wider = &seen != &mesh;
+      const auto face_of_range = [&](Remeshing_mesh::Index f) { return is_wider ? wider.nearest_face[f] : f; };
+      Found_in_input there = look_at_input(mesh, seen, face_of_range, target, mean_length, crest_width, recipe, settings.finds_features);
+      if (is_wider) there.keep_part(mesh, seen);
+      return there;
+    });
   }
   Input_kind kind = std::move(found.kind);
   for (const Remeshing_mesh::Index h : found.edges) mark_found_feature(mesh, h, settings);

@@ -68,9 +68,9 @@ class Curvature
   using Index = Reference_surface::Index;
 
 public:
-  // Of a mesh without free slots, its features marked.
+  // Of a mesh without free slots, its features marked, and the edges on its rim, which are no curves.
   explicit Curvature(const Remeshing_mesh& mesh)
-    : surface_(mesh), mls_(surface_, std::vector<Index>(), -1, nullptr, false)
+    : mesh_(mesh), surface_(mesh), mls_(surface_, std::vector<Index>(), -1, nullptr, false)
   {
     const std::size_t n = surface_.number_of_faces();
     forms_.resize(n);
@@ -99,6 +99,7 @@ private:
   Bilinear_form form_of_face(Index f) const;
   void add_curves(std::vector<double>& result) const;
 
+  const Remeshing_mesh& mesh_;
   Reference_surface surface_;
   Mls_surface mls_;
   std::vector<Bilinear_form> forms_;     // by face
@@ -199,7 +200,7 @@ inline void Curvature::add_curves(std::vector<double>& result) const
   };
   std::vector<Index> on_curves;
   for (Index h = 0; h < 4 * Index(surface_.number_of_faces()); ++h) {
-    if (surface_.corner(h) == 3 || !mls_.is_feature(h) || surface_.opposite(h) > h) continue;
+    if (surface_.corner(h) == 3 || !mls_.is_feature(h) || mesh_.is_on_rim(h) || surface_.opposite(h) > h) continue;
     join(surface_.origin(h), surface_.target(h));
     join(surface_.target(h), surface_.origin(h));
   }
