@@ -133,9 +133,9 @@ Measured: of the edges over 40 degrees of fandisk.off with a noise of 15% of the
 found 99.7% is right. Of the some seventy models of \cgal that are not taken for CAD models, six have any feature, with at most
 0.8% of the edge length. Of ten organic models cut by three planes each, 94 to 100% of the rim are found.
 
-Complexity: linear in the number of faces, with up to about 5000 around a range, where ways across fillets look at two hundred faces at most, and on CAD models in the length of
-their sharp edges over `scale`, which are looked at in pieces as short as a fortieth of it; on other models the square of the faces at a
-vertex that has thousands.
+Complexity: linear in the number of faces, with up to about 5000 around a range, where ways across fillets look at two hundred faces
+at most, and on CAD models in the length of their sharp edges over `scale`, which are looked at in pieces as short as a fortieth of it;
+on other models the square of the faces at a vertex that has thousands.
 
 @tparam FaceRange a model of `ConstRange` with the faces of `TriangleMesh` as value type
 @tparam TriangleMesh a model of `FaceGraph`

@@ -15,7 +15,8 @@ namespace Inter_angle_remeshing {
 namespace internal {
 
 // A range together with faces around it: the dihedral angles of a few faces do not tell what kind of model they are a part of. Faces of
-// the range, and their corners, have the same numbers as in its own mesh; vertices need not, and the unit may be another one. It is empty where a range has no faces around it.
+// the range, and their corners, have the same numbers as in its own mesh; vertices need not, and the unit may be another one. It is empty
+// where a range has no faces around it.
 struct Wider_mesh
 {
   Remeshing_mesh mesh;

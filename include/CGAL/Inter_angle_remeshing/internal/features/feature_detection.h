@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// One half-edge of each feature of a mesh, sorted: at the scale of its own edges. Where there is a wider mesh, see Wider_mesh.h, those of all
-// of that, or of the range alone where that says more.
+// One half-edge of each feature of a mesh, sorted: at the scale of its own edges. Where there is a wider mesh, see Wider_mesh, those of
+// all of it, or of the range alone where that says more.
 CGAL_INTER_ANGLE_REMESHING_INLINE
 std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, const Remeshing_mesh& wider = Remeshing_mesh());
 

@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// What `find(detector, lengths)` finds in the range, `mesh`, as a part of the wider mesh; the lengths are `scale` by face, or, if that is 0,
-// the mean edge length.
+// What `find(detector, lengths)` finds in the range, `mesh`, as a part of the wider mesh; the lengths are `scale` by face, or, if that is
+// 0, the mean edge length.
 template <class Find>
 std::vector<Remeshing_mesh::Index> find_features_in_range(const Remeshing_mesh& mesh, const Remeshing_mesh& wider, double scale,
                                                           const Find& find)
@@ -40,7 +40,8 @@ std::vector<Remeshing_mesh::Index> find_features_in_range(const Remeshing_mesh& 
 CGAL_INTER_ANGLE_REMESHING_INLINE
 std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, const Remeshing_mesh& wider)
 {
-  return find_features_in_range(mesh, wider, 0, [](Feature_detector& d, const std::vector<double>& lengths) { return d.features(lengths); });
+  return find_features_in_range(mesh, wider, 0, [](Feature_detector& d, const std::vector<double>& lengths) {
+    return d.features(lengths); });
 }
 
 CGAL_INTER_ANGLE_REMESHING_INLINE

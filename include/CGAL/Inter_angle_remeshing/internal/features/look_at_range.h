@@ -12,8 +12,8 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// What `look(seen)` finds in the wider mesh, if that has faces, or in the range alone, `mesh`, where that is a CAD model beside what is none,
-// and large beside the length.
+// What `look(seen)` finds in the wider mesh, if that has faces, or in the range alone, `mesh`, where that is a CAD model beside what is
+// none, and large beside the length.
 template <class Look>
 auto look_at_range(const Remeshing_mesh& mesh, const Remeshing_mesh& wider, double length, const Look& look)
 {
