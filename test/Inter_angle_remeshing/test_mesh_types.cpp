@@ -5,6 +5,7 @@
 // same to the last bit, up to what the point map can hold.
 
 #include <CGAL/Inter_angle_remeshing/Attribute_transfer.h>
+#include <CGAL/Inter_angle_remeshing/Curvature_sizing_field.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -378,6 +379,22 @@ public:
     return report;
   }
 
+  // A range, edges as long as the curvature admits.
+  void remesh_by_curvature(const Faces& range, double tolerance, double shortest, double longest)
+  {
+    const auto run = [&](const auto& np) {
+      const IAR::Curvature_sizing_field<Graph> field(tolerance, {shortest, longest}, range, g_, np);
+      IAR::isotropic_remeshing(range, field, g_, np);
+    };
+    if constexpr(HAS_OWN_POINTS)
+      run(parameters::default_values());
+    else
+      run(parameters::vertex_point_map(points_));
+    for(const Face f : faces(g_))
+      put(patches_, f, 0);
+    check_validity();
+  }
+
   // Of a square whose halves are two patches: vertices carry their x and its square, corners the x of their vertex and the number of their half.
   void carry_attributes(double length)
   {
@@ -570,6 +587,14 @@ History history_of_a_whole_mesh()
   return {{"a torus", s.state()}};
 }
 
+template <class Graph, class Place>
+History history_of_a_sizing_field()
+{
+  Subject<Graph, Place> s(in_floats(meshes::torus(24, 12, .4)));
+  s.remesh_by_curvature(s.soup_faces_where([](const Coordinates& c) { return c[0] > 0; }), .01, .1, .5);
+  return {{"half of a torus, by its curvature", s.state()}};
+}
+
 // Cells of a chess board, as one mesh.
 template <class Graph, class Place>
 History history_of_parts_that_touch()
@@ -603,6 +628,7 @@ History history()
   for(auto&& entry : history_of_parts_that_touch<Graph, Place>())
     result.push_back(entry);
   result.push_back(history_of_a_whole_mesh<Graph, Place>().front());
+  result.push_back(history_of_a_sizing_field<Graph, Place>().front());
   result.push_back(history_of_attributes<Graph, Place>().front());
   return result;
 }
