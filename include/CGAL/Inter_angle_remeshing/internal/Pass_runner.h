@@ -58,7 +58,7 @@ class Pass_runner
 public:
   Pass_runner(Remeshing_context& context, const Schedule& schedule, Run_clock& clock, Remeshing_report& report)
     : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule), clock_(clock), report_(report),
-      relaxation_(context.recipe, context.curves, context.grading, context.noise,
+      relaxation_(context.recipe, context.curves, context.grading, context.moves_spikes ? context.noise : 0.,
                   has_long_protected_edge(context.mesh, [&](Index u, Index v) { return context.length_at(u, v); }),
                   context.keeps_vertices)
   {}

@@ -14,13 +14,16 @@
 #include <CGAL/Inter_angle_remeshing/internal/curves/curve_edges.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/angle_summary.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/crossing_faces.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/edge_lengths.h>
 #include <CGAL/Inter_angle_remeshing/internal/passes/Faults.h>
 #include <CGAL/Inter_angle_remeshing/internal/passes/angle_bands.h>
 #include <CGAL/Inter_angle_remeshing/internal/passes/bent_vertices.h>
 #include <CGAL/Inter_angle_remeshing/internal/passes/coarse_levels.h>
 #include <CGAL/Inter_angle_remeshing/internal/passes/projection_pass.h>
+#include <CGAL/Inter_angle_remeshing/internal/passes/relax_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/passes/spot_pass.h>
 #include <CGAL/Inter_angle_remeshing/internal/run_passes.h>
+#include <CGAL/Inter_angle_remeshing/internal/surface/Surface_crossings.h>
 
 #include <algorithm>
 #include <cmath>
@@ -230,9 +233,21 @@ private:
   std::vector<Index> held_;              // vertices that stay where they are in the iterations
 };
 
+// Whether sweeps may move the spikes of the input: those of noise that makes a part of its faces cross others, and all where few faces will
+// be left of them. Else, as on rugged terrain, they are its shape.
+template <class ConcurrencyTag>
+bool moves_spikes(const Remeshing_context& context)
+{
+  constexpr double LEAST_SHARE = 0.02, COARSER = 1.4;          // of the faces; than the input's edges
+  if (!(context.noise > LITTLE_NOISE)) return false;
+  return context.target_length > COARSER * mean_edge_length(context.mesh) ||
+         double(faces_of(crossing_faces<ConcurrencyTag>(context.mesh)).size()) > LEAST_SHARE * double(context.mesh.number_of_live_faces());
+}
+
 template <class ConcurrencyTag>
 Run_result run_passes(Remeshing_context& context, const Schedule& schedule, const Remeshing_report& untouched)
 {
+  context.moves_spikes = moves_spikes<ConcurrencyTag>(context);
   Remesher<ConcurrencyTag> remesher(context, schedule, untouched);
   const Remeshing_report report = remesher.run();
   return {report, remesher.is_at_finest_level()};

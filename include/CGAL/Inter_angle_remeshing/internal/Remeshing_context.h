@@ -57,6 +57,7 @@ struct Remeshing_context
   bool may_have_necks = false;         // which lower the target length around them
   bool has_necks = false;
   double noise = 0;                    // of the input, beside the target length; 0: it is clean
+  bool moves_spikes = false;           // sweeps do not spare the spikes of the noise
   double spike_factor = 1;             // how many times as far as Recipe::collapse_tolerance says a collapse may reach
   double collapse_reach = 1;           // how many times as long as splits leave edges those may be that collapses make
   const Input_locator* locator = nullptr;  // null where nobody asks for places
