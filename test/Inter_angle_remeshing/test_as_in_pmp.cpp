@@ -10,6 +10,7 @@
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/property_map.h>
@@ -570,6 +571,67 @@ void without_projection_needles_of_a_range_stay()
   }
 }
 
+// A closed pipe of `n` sides and radius 1 with a bend of `steps` steps between two straight parts, whose faces are needles.
+meshes::Soup bent_pipe(std::size_t n, std::size_t steps)
+{
+  constexpr double LENGTH = 12, RADIUS = 2.5;    // of a straight part, and of the bend
+  meshes::Soup pipe;
+  const auto add_ring = [&](double x, double y, double angle) {
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const double a = 2 * CGAL_PI * double(i) / double(n);
+      pipe.points.push_back({x + std::cos(a) * std::sin(angle), y - std::cos(a) * std::cos(angle), std::sin(a)});
+    }
+  };
+  add_ring(-LENGTH, 0, 0);
+  for(std::size_t i = 0; i <= steps; ++i)
+  {
+    const double angle = CGAL_PI / 2 * double(i) / double(steps);
+    add_ring(RADIUS * std::sin(angle), RADIUS - RADIUS * std::cos(angle), angle);
+  }
+  add_ring(RADIUS, RADIUS + LENGTH, CGAL_PI / 2);
+  const std::size_t last = pipe.points.size() - n, caps = pipe.points.size();
+  pipe.points.push_back({-LENGTH, 0, 0});
+  pipe.points.push_back({RADIUS, RADIUS + LENGTH, 0});
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t next = (i + 1) % n;
+    for(std::size_t r = 0; r < last; r += n)
+    {
+      pipe.faces.push_back({r + i, r + next, r + n + i});
+      pipe.faces.push_back({r + next, r + n + next, r + n + i});
+    }
+    pipe.faces.push_back({caps, next, i});
+    pipe.faces.push_back({caps + 1, last + i, last + next});
+  }
+  return pipe;
+}
+
+// Where no edge is split, or none collapsed, needles are held by those beside them, and would grow if they were pulled off the surface.
+void needles_that_stay_are_not_pulled_off()
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  const auto measure = [](const char* what, const Mesh& pipe, const Mesh& m, std::size_t most) {
+    const double area = PMP::area(m) / PMP::area(pipe), volume = PMP::volume(m) / PMP::volume(pipe);
+    const std::size_t crossing = self_intersections(m).size();
+    CHECK_MESSAGE(area > .93 && area < 1.15 && volume > .9 && volume < 1.02, what << ": " << area << " times the area, volume " << volume);
+    CHECK_MESSAGE(crossing <= most, what << ": " << crossing);
+  };
+  for(const std::size_t n : {48, 64})
+  {
+    const Mesh pipe = meshes::to_mesh<Mesh>(bent_pipe(n, n / 8));
+    Mesh as_they_are = pipe, uncut = pipe, whole = pipe;
+    CGAL::Inter_angle_remeshing::isotropic_remeshing(0, as_they_are);
+    measure("length 0", pipe, as_they_are, pipe.number_of_faces() / 8);
+    CGAL::Inter_angle_remeshing::isotropic_remeshing(.3, uncut, parameters::do_split(false));
+    measure("without splits", pipe, uncut, pipe.number_of_faces() / 8);
+    CGAL::Inter_angle_remeshing::isotropic_remeshing(.7, whole, parameters::do_collapse(false));
+    measure("without collapses", pipe, whole, whole.number_of_faces() / 50);
+    if(meshes::is_small_run())
+      break;
+  }
+}
+
 // --- what lies on the surface ------------------------------------------------------------------------------------
 
 // length 0: flips, relaxation and projection alone.
@@ -959,6 +1021,7 @@ int main()
   small_ranges_do_not_move_the_mesh();
   needles_of_a_range_stay_on_the_surface();
   without_projection_needles_of_a_range_stay();
+  needles_that_stay_are_not_pulled_off();
   patches_of_a_users_own_type_stay_apart();
   a_face_that_is_no_triangle_is_refused();
   lengths_are_numbers_of_any_type();

@@ -60,7 +60,7 @@ public:
     : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule), clock_(clock), report_(report),
       relaxation_(context.recipe, context.curves, context.grading, context.moves_spikes ? context.noise : 0.,
                   has_long_protected_edge(context.mesh, [&](Index u, Index v) { return context.length_at(u, v); }),
-                  context.keeps_vertices)
+                  context.keeps_long_edges())
   {}
 
   bool goes_on() const { return report_.ending == Remeshing_report::Ending::completed; }

@@ -19,12 +19,10 @@ namespace internal {
 
 // Squared sine of 20 degrees.
 constexpr double THIN_SQUARED_SINE = 0.116977778440511;
-// That of 25 degrees: the bound of relaxation where vertices are kept, also far from curves, for no split or collapse mends a thin
-// face there.
-constexpr double THIN_SQUARED_SINE_OF_KEPT_VERTICES = 0.178606195156730;
+// That of 25 degrees: the bound of relaxation where no edge is split, also far from curves, for that would mend a thin face.
+constexpr double THIN_SQUARED_SINE_OF_KEPT_EDGES = 0.178606195156730;
 
-// That of 10 degrees: a face with a smaller angle is very thin. Beside what cannot move, as the faces outside of a range, needles are
-// often held on both sides.
+// That of 10 degrees: a face with a smaller angle is very thin, see Remeshing_context::holds_needles().
 constexpr double VERY_THIN_SQUARED_SINE = 0.030153689607046;
 
 // The smallest angle of a triangle lies between its two longest edges. Its squared sine, for the squared lengths of the

@@ -41,8 +41,8 @@ class Angle_descent
   // small angle for a large one. The second value is for stars at curves, whose vertices do not get out of the way, if the band allows it.
   // The third one is for all stars where vertices are kept, and no split or collapse would mend such an angle.
   static constexpr double SMALL_ANGLE = 20, SMALL_ANGLE_AT_CURVES = 28, SMALL_ANGLE_OF_KEPT_VERTICES = 30;
-  // Nor does one of a free vertex make its star, if that has a very thin face, larger by more than this factor, in a range and where
-  // there is no surface: within a nearly flat one a star keeps its area; it grows where needles held on their sides are pulled off.
+  // Nor does one of a free vertex make its star, if that has a very thin face, larger by more than this factor, where needles are held
+  // or there is no surface: within a nearly flat one a star keeps its area; it grows where needles are pulled off.
   static constexpr double LARGEST_GROWTH = 1.001;
   // A slide leaves at most this part of the energy: less is not worth that the neighbors look again.
   static constexpr double ENOUGH = 0.99;
@@ -139,7 +139,7 @@ private:
     if (!(slope > 0)) return false;
     Index nearest = mesh_.hint(v);
     const Vector3 offset = offset_of(p, nearest);
-    const bool keeps_area = (context_.has_outside() || !context_.projector.moves_points()) &&
+    const bool keeps_area = (context_.holds_needles() || !context_.projector.moves_points()) &&
                             star_.squared_sine_of_smallest_angle() < VERY_THIN_SQUARED_SINE;
     const double largest_area = keeps_area ? LARGEST_GROWTH * star_.area(p) : 0;
     double step = (std::min)(LONGEST_STEP * length_at(v), STEP_FACTOR * energy / slope);

@@ -70,11 +70,11 @@ public:
   using Index = Sweep_data::Index;
 
   Relaxation(const Recipe& recipe, const Input_curves& curves, const Grading& grading, double noise, bool has_long_protected_edges,
-             bool keeps_vertices)
+             bool keeps_long_edges)
     : recipe_(recipe), curves_(curves), grading_(grading),
       bound_(noise > LITTLE_NOISE ? (std::max)(LEAST_BOUND, LITTLE_NOISE / noise) : 1.),
-      has_long_protected_edges_(has_long_protected_edges), keeps_angles_(keeps_vertices),
-      thin_(keeps_vertices ? THIN_SQUARED_SINE_OF_KEPT_VERTICES : THIN_SQUARED_SINE)
+      has_long_protected_edges_(has_long_protected_edges), keeps_angles_(keeps_long_edges),
+      thin_(keeps_long_edges ? THIN_SQUARED_SINE_OF_KEPT_EDGES : THIN_SQUARED_SINE)
   {}
 
   // Returns the number of vertices that may have moved: all of them, or those of a region. Slides leave no chord further than

@@ -60,8 +60,8 @@ class Repairer
   // What an operation leaves is no farther from the surface, in target lengths, than this or than what was there: angles are not worth a
   // face across the hole of a ring.
   static constexpr double LONGEST_DISTANCE = 0.75;
-  // Nor does one for angles or folds turn more of the area of a range away from the surface, beyond rounding, while there are very thin
-  // faces around: to be pulled off it is their way to grow where faces outside hold them on their sides.
+  // Nor does one for angles or folds turn more of the area away from the surface, beyond rounding, where needles are held and there are very
+  // thin faces around.
   static constexpr double ROUNDING = 1e-9;
 
 public:
@@ -222,7 +222,7 @@ private:
   Straying straying_of(const std::vector<Index>& faces) const
   {
     if (!context_.projector.has_faces()) return {};
-    const bool keeps_area = context_.has_outside() && !is_at_crossing(fault_) && has_very_thin_face(faces);
+    const bool keeps_area = context_.holds_needles() && !is_at_crossing(fault_) && has_very_thin_face(faces);
     return {largest_distance(faces), keeps_area ? area_turned_away(faces) : 0};
   }
 
