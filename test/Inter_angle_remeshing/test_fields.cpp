@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/Curvature_sizing_field.h>
 #include <CGAL/Inter_angle_remeshing/Projection/Closest_point_projector.h>
 #include <CGAL/Inter_angle_remeshing/Uniform_sizing_field.h>
+#include <CGAL/Inter_angle_remeshing/detect_features.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 
 #if CGAL_VERSION_NR >= 1060000000
@@ -16,7 +17,6 @@
 #endif
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/detect_features.h>
 
 #include "check.h"
 #include "invariants.h"
@@ -376,30 +376,35 @@ void curvature_of_a_range()
   CHECK(none.at(*m.vertices().begin(), m) == 7);
 }
 
-// Lengths of a range are those of the mesh: the rim is no border, and there are features that a few faces do not tell.
+// Lengths of a range are those of the mesh: the rim is no border, and there are features that a few faces do not tell. A map may know the
+// range alone.
 void curvature_of_a_range_is_that_of_the_mesh()
 {
+  enum class Marks { found, of_mesh, of_range };
   for(const char* name : {"elephant", "fandisk", "anchor_dense"})
-    for(const bool is_marked : {false, true})
+    for(const Marks marks : {Marks::found, Marks::of_mesh, Marks::of_range})
     {
       Mesh m = models::of_cgal(name);
       const double mean = mean_edge_length(m);
       const auto feature = m.add_property_map<Edge, bool>("e:feature", false).first;
-      if(is_marked)
-        PMP::detect_sharp_edges(m, 40, feature);
-      const auto field_of = [&](const auto& range) {
+      const auto field_of = [&](const auto& range, bool is_marked) {
         const std::pair<double, double> lengths(.25 * mean, 4 * mean);
         return is_marked ? Curvature_field(.02 * mean, lengths, range, m, parameters::edge_is_constrained_map(feature))
                          : Curvature_field(.02 * mean, lengths, range, m);
       };
-      const Curvature_field whole = field_of(m.faces());
+      if(marks == Marks::of_mesh)
+        IAR::detect_features(m.faces(), m, feature);
+      const Curvature_field whole = field_of(m.faces(), marks == Marks::of_mesh);
       std::mt19937 random(9);
-      std::size_t vertices = 0, off = 0;
       for(const std::size_t n : {10, 100, 1000})
-        for(int k = 0; k < (meshes::is_small_run() ? 3 : 20); ++k)
+      {
+        std::size_t vertices = 0, off = 0;
+        for(int k = 0; k < 20; ++k)
         {
           const std::vector<Face> range = faces_around(Face(unsigned(random() % m.number_of_faces())), n, m);
-          const Curvature_field part = field_of(range);
+          if(marks == Marks::of_range)
+            IAR::detect_features(range, m, feature);
+          const Curvature_field part = field_of(range, marks != Marks::found);
           for(const Face f : range)
             for(const Vertex v : CGAL::vertices_around_face(m.halfedge(f), m))
             {
@@ -407,8 +412,12 @@ void curvature_of_a_range_is_that_of_the_mesh()
               ++vertices;
               off += ratio < .8 || ratio > 1.25;
             }
+          if(marks == Marks::of_range)
+            for(const Edge e : m.edges())
+              feature[e] = false;
         }
-      CHECK_MESSAGE(100 * off <= 2 * vertices, name << (is_marked ? ", marked: " : ": ") << off << " of " << vertices);
+        CHECK_MESSAGE(100 * off <= 2 * vertices, name << ", " << int(marks) << ", " << n << ": " << off << " of " << vertices);
+      }
     }
 }
 

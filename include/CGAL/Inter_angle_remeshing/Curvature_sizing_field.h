@@ -50,7 +50,7 @@ used before the mesh is changed.
 `isotropic_remeshing()` as well. Of the concept `PMPSizingField` this class has the member that `isotropic_remeshing()` calls, not those
 that %Polygon_mesh_processing calls.
 
-Complexity: linear in the number of faces, times log of it.
+Complexity: linear in the number of faces, with up to about 5000 around a range, times log of it.
 
 @tparam TriangleMesh a model of `FaceGraph`
 */
@@ -85,7 +85,7 @@ public:
       \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
     \cgalParamNEnd
     \cgalParamNBegin{edge_is_constrained_map}
-      \cgalParamDescription{the features}
+      \cgalParamDescription{the features of the range; at its rim and beyond, those that `detect_features()` finds are taken, too}
       \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor`
                      as key type and `bool` as value type}
       \cgalParamDefault{the features that `detect_features()` finds}
@@ -111,18 +111,22 @@ public:
     internal::Flat_copy<TriangleMesh> copy =
       internal::Flat_copy_builder<TriangleMesh, std::decay_t<decltype(vpm)>>(tmesh, vpm, CALLER).build(faces);
     internal::Wider_copy<TriangleMesh> wider = internal::read_wider_copy(copy, tmesh, vpm, CALLER);
-    internal::Flat_copy<TriangleMesh>& seen = wider.faces.empty() ? copy : wider;
+    // A map is asked for the edges of the range; those beyond its rim are what is found there.
+    constexpr bool HAS_MAP = !std::is_same<std::decay_t<decltype(ecm)>, internal::No_map>::value;
+    internal::Features_around found{{}, true};
+    if (!HAS_MAP || !wider.faces.empty()) found = internal::find_features_around(copy.mesh, wider.mesh);
+    internal::Flat_copy<TriangleMesh>& seen = found.are_of_range_alone ? copy : wider;
     seen.mesh.for_each_halfedge([&](Index h) {
       if (seen.mesh.is_border(h) && face(opposite(seen.halfedge(h), tmesh), tmesh) != Traits::null_face())
         seen.mesh.add_flags(h, internal::Remeshing_mesh::ON_RIM);
     });
-    if constexpr (!std::is_same<std::decay_t<decltype(ecm)>, internal::No_map>::value) {
-      seen.mesh.for_each_halfedge([&](Index h) {
-        if (get(ecm, edge(seen.halfedge(h), tmesh))) internal::mark_feature(seen.mesh, h);
+    const auto is_within = [&](Index h) { return h < Index(4 * copy.faces.size()) && !copy.mesh.is_border(h); };
+    for (const Index h : found.edges)
+      if (!HAS_MAP || !is_within(h)) internal::mark_feature(seen.mesh, h);
+    if constexpr (HAS_MAP)
+      copy.mesh.for_each_halfedge([&](Index h) {
+        if (get(ecm, edge(copy.halfedge(h), tmesh))) internal::mark_feature(seen.mesh, h);
       });
-    } else {
-      for (const Index h : internal::find_features(copy.mesh, wider.mesh)) internal::mark_feature(seen.mesh, h);
-    }
     const std::vector<double> lengths = internal::curvature_lengths(seen.mesh, tolerance, length_range, gradation);
     auto table = std::make_shared<Table>(copy.vertices.size());
     copy.mesh.for_each_halfedge([&](Index h) {       // of the same number in both copies

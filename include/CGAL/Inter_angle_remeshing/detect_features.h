@@ -182,10 +182,9 @@ std::size_t detect_features(const FaceRange& faces, const TriangleMesh& tmesh, E
   using Vpm = std::decay_t<decltype(vpm)>;
   if (faces.begin() == faces.end()) return 0;
   const auto copy = internal::Flat_copy_builder<TriangleMesh, Vpm>(tmesh, vpm, CALLER).build(faces);
-  std::vector<Index> features = internal::find_features_for(
+  const std::vector<Index> features = internal::find_features_for(
     copy.mesh, internal::read_wider_copy(copy, tmesh, vpm, CALLER).mesh, scale / copy.mesh.unit(), scale > 0 ? Recipe().fillet_width : 0.,
     scale > 0 ? Recipe().relief_density : std::numeric_limits<double>::infinity());
-  internal::keep_own_edges(features, copy.mesh);
   for (Index h = 0; h < 4 * Index(copy.faces.size()); ++h)
     if (copy.mesh.corner(h) < 3) put(edge_is_feature, edge(copy.halfedge(h), tmesh), false);
   for (const Index h : features) put(edge_is_feature, edge(copy.halfedge(h), tmesh), true);

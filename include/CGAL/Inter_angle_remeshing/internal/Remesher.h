@@ -233,8 +233,8 @@ private:
   std::vector<Index> held_;              // vertices that stay where they are in the iterations
 };
 
-// Whether sweeps may move the spikes of the input: those of noise that makes a part of its faces cross others, and all where few faces will
-// be left of them. Else, as on rugged terrain, they are its shape.
+// Whether sweeps may move the spikes of the input: those of noise that makes a part of its faces cross others, and all where few faces
+// will be left of them. Else, as on rugged terrain, they are its shape.
 template <class ConcurrencyTag>
 bool moves_spikes(const Remeshing_context& context)
 {

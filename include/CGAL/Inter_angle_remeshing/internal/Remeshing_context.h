@@ -70,7 +70,8 @@ struct Remeshing_context
   bool has_outside() const { return !surroundings.faces.empty(); }
   // Whether nothing cuts the long edges of needles.
   bool keeps_long_edges() const { return split_rule.is_never(); }
-  // Whether needles are held on their sides, by faces outside or by vertices that stay: to be pulled off the surface is their way to grow.
+  // Whether needles are held on their sides, by faces outside or by others that nothing cuts or collapses: to be pulled off the surface is
+  // their way to grow.
   bool holds_needles() const { return has_outside() || keeps_long_edges() || collapse_rule.is_never(); }
   // The target length that the sizing field has at a vertex, and on an edge.
   double length_at(Index v) const { return grading.has_field() ? target_length * grading.field_part(v) : target_length; }

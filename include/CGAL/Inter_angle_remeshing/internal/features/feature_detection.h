@@ -14,12 +14,22 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-// One half-edge of each feature of a mesh, sorted: at the scale of its own edges. Where there is a wider mesh, see Wider_mesh, those of
-// all of it, or of the range alone where that says more.
+// One half-edge of each feature of a mesh, sorted: at the scale of its own edges.
 CGAL_INTER_ANGLE_REMESHING_INLINE
-std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh, const Remeshing_mesh& wider = Remeshing_mesh());
+std::vector<Remeshing_mesh::Index> find_features(const Remeshing_mesh& mesh);
 
-// Those that edges of this length would cut off; 0: those that the mesh has on its own. The other arguments are those of
+struct Features_around
+{
+  std::vector<Remeshing_mesh::Index> edges;      // one half-edge of each, sorted
+  bool are_of_range_alone;
+};
+
+// The same of a range and the faces around it, by the numbers of the wider mesh, see Wider_mesh; or of the range alone where it is told by
+// that, or there is no wider mesh.
+CGAL_INTER_ANGLE_REMESHING_INLINE
+Features_around find_features_around(const Remeshing_mesh& mesh, const Remeshing_mesh& wider);
+
+// Those of the range that edges of this length would cut off; 0: those that the mesh has on its own. The other arguments are those of
 // Feature_detector::features_for().
 CGAL_INTER_ANGLE_REMESHING_INLINE
 std::vector<Remeshing_mesh::Index> find_features_for(const Remeshing_mesh& mesh, const Remeshing_mesh& wider, double scale,

@@ -19,7 +19,7 @@ namespace internal {
 
 // Squared sine of 20 degrees.
 constexpr double THIN_SQUARED_SINE = 0.116977778440511;
-// That of 25 degrees: the bound of relaxation where no edge is split, also far from curves, for that would mend a thin face.
+// That of 25 degrees: the bound of relaxation where no edge is split, also far from curves, as no split mends a thin face there.
 constexpr double THIN_SQUARED_SINE_OF_KEPT_EDGES = 0.178606195156730;
 
 // That of 10 degrees: a face with a smaller angle is very thin, see Remeshing_context::holds_needles().

@@ -31,7 +31,7 @@ namespace internal {
 // How flat a star is: ρ = |Σ c| / Σ |c| over the cross products c of its faces, 1 in a plane. Under the first bound
 // a vertex, the tip of a spike, stays; from the second on it takes the whole step.
 constexpr double RHO_FIXED = 0.6, RHO_FREE = 0.85;
-// With more noise than this, see noise(), that makes faces cross each other, the bounds fall, down to so small a part: the spikes are its.
+// Where spikes are those of noise, more than this, see noise(), the bounds fall, down to so small a part.
 constexpr double LITTLE_NOISE = 0.02, LEAST_BOUND = 0.2;
 // Stars less flat than this take guarded steps.
 constexpr double RHO_GUARDED = 0.9;

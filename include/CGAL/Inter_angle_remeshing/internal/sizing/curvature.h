@@ -68,7 +68,7 @@ class Curvature
   using Index = Reference_surface::Index;
 
 public:
-  // Of a mesh without free slots, its features marked, and the edges on its rim, which are no curves.
+  // Of a mesh without free slots, its features marked, and the edges on its rim, which are no curves unless they are features.
   explicit Curvature(const Remeshing_mesh& mesh)
     : mesh_(mesh), surface_(mesh), mls_(surface_, std::vector<Index>(), -1, nullptr, false)
   {
@@ -200,7 +200,8 @@ inline void Curvature::add_curves(std::vector<double>& result) const
   };
   std::vector<Index> on_curves;
   for (Index h = 0; h < 4 * Index(surface_.number_of_faces()); ++h) {
-    if (surface_.corner(h) == 3 || !mls_.is_feature(h) || mesh_.is_on_rim(h) || surface_.opposite(h) > h) continue;
+    const bool is_curve = mls_.is_feature(h) && (!mesh_.is_on_rim(h) || mesh_.is_constrained(h));
+    if (surface_.corner(h) == 3 || !is_curve || surface_.opposite(h) > h) continue;
     join(surface_.origin(h), surface_.target(h));
     join(surface_.target(h), surface_.origin(h));
   }
