@@ -48,7 +48,7 @@ public:
   static constexpr std::uint32_t PASSING = 4096;   // constrained in the iterations alone
   static constexpr std::uint32_t SEAM = 32768;     // constrained because patches meet there, and for nothing else
   static constexpr std::uint32_t JAGGED = 262144;  // of a chain of seams or of the border whose zigzag tells nothing
-  static constexpr std::uint32_t ON_RIM = 2097152; // shared with a face outside of the range; in a run, with one that is divided where the edge is
+  static constexpr std::uint32_t ON_RIM = 2097152; // shared with a face outside; in a run, with one that is divided where the edge is
 
   static constexpr Index NO_VERTEX = -1;
 
