@@ -421,6 +421,39 @@ void curvature_of_a_range_is_that_of_the_mesh()
     }
 }
 
+// The rim is no curve, but where it is marked: a disk of triangles in a plane, around it quadrangles.
+void a_marked_rim_is_a_curve()
+{
+  const std::size_t n = 40;
+  Mesh m;
+  for(const double r : {1., 2.})
+    for(std::size_t i = 0; i < n; ++i)
+      m.add_vertex(Point(r * std::cos(2 * CGAL_PI * double(i) / n), r * std::sin(2 * CGAL_PI * double(i) / n), 0));
+  const Vertex centre = m.add_vertex(Point(0, 0, 0));
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const auto vertex = [](std::size_t number) { return Vertex(unsigned(number)); };
+    const std::size_t next = (i + 1) % n;
+    m.add_face(centre, vertex(i), vertex(next));
+    m.add_face(vertex(i), vertex(n + i), vertex(n + next), vertex(next));
+  }
+  std::vector<Face> triangles;
+  const auto is_rim = m.add_property_map<Edge, bool>("e:rim", false).first;
+  for(const Face f : m.faces())
+    if(m.degree(f) == 3)
+      triangles.push_back(f);
+    else
+      for(const auto h : CGAL::halfedges_around_face(m.halfedge(f), m))
+        is_rim[m.edge(h)] = is_rim[m.edge(h)] || (!m.is_border(m.opposite(h)) && m.degree(m.face(m.opposite(h))) == 3);
+  const std::pair<double, double> range(.01, 5);
+  const Curvature_field plain(.001, range, triangles, m), marked(.001, range, triangles, m, parameters::edge_is_constrained_map(is_rim));
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const Vertex v = Vertex(unsigned(i));
+    CHECK_MESSAGE(plain.at(v, m) == 5 && std::abs(marked.at(v, m) / length_for(1, .001) - 1) < .02, plain.at(v, m) << " " << marked.at(v, m));
+  }
+}
+
 #if CGAL_VERSION_NR >= 1060000000
 void fields_of_polygon_mesh_processing_are_taken()
 {
@@ -1272,6 +1305,7 @@ int main()
   lengths_rise_with_the_tolerance();
   curvature_of_a_range();
   curvature_of_a_range_is_that_of_the_mesh();
+  a_marked_rim_is_a_curve();
 #if CGAL_VERSION_NR >= 1060000000
   fields_of_polygon_mesh_processing_are_taken();
 #endif

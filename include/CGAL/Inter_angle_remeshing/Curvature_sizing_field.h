@@ -57,8 +57,7 @@ Complexity: linear in the number of faces, with up to about 5000 around a range,
 template <class TriangleMesh>
 class Curvature_sizing_field
 {
-  using Traits = boost::graph_traits<TriangleMesh>;
-  using vertex_descriptor = typename Traits::vertex_descriptor;
+  using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
 public:
   /// the number type
@@ -108,25 +107,9 @@ public:
     const auto vpm = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
                                       get_const_property_map(CGAL::vertex_point, tmesh));
     const auto ecm = choose_parameter(get_parameter(np, CGAL::internal_np::edge_is_constrained), internal::No_map());
-    internal::Flat_copy<TriangleMesh> copy =
-      internal::Flat_copy_builder<TriangleMesh, std::decay_t<decltype(vpm)>>(tmesh, vpm, CALLER).build(faces);
-    internal::Wider_copy<TriangleMesh> wider = internal::read_wider_copy(copy, tmesh, vpm, CALLER);
-    // A map is asked for the edges of the range; those beyond its rim are what is found there.
-    constexpr bool HAS_MAP = !std::is_same<std::decay_t<decltype(ecm)>, internal::No_map>::value;
-    internal::Features_around found{{}, true};
-    if (!HAS_MAP || !wider.faces.empty()) found = internal::find_features_around(copy.mesh, wider.mesh);
-    internal::Flat_copy<TriangleMesh>& seen = found.are_of_range_alone ? copy : wider;
-    seen.mesh.for_each_halfedge([&](Index h) {
-      if (seen.mesh.is_border(h) && face(opposite(seen.halfedge(h), tmesh), tmesh) != Traits::null_face())
-        seen.mesh.add_flags(h, internal::Remeshing_mesh::ON_RIM);
-    });
-    const auto is_within = [&](Index h) { return h < Index(4 * copy.faces.size()) && !copy.mesh.is_border(h); };
-    for (const Index h : found.edges)
-      if (!HAS_MAP || !is_within(h)) internal::mark_feature(seen.mesh, h);
-    if constexpr (HAS_MAP)
-      copy.mesh.for_each_halfedge([&](Index h) {
-        if (get(ecm, edge(copy.halfedge(h), tmesh))) internal::mark_feature(seen.mesh, h);
-      });
+    auto copy = internal::Flat_copy_builder<TriangleMesh, std::decay_t<decltype(vpm)>>(tmesh, vpm, CALLER).build(faces);
+    auto wider = internal::read_wider_copy(copy, tmesh, vpm, CALLER);
+    const internal::Flat_copy<TriangleMesh>& seen = mark_curves(copy, wider, tmesh, ecm);
     const std::vector<double> lengths = internal::curvature_lengths(seen.mesh, tolerance, length_range, gradation);
     auto table = std::make_shared<Table>(copy.vertices.size());
     copy.mesh.for_each_halfedge([&](Index h) {       // of the same number in both copies
@@ -147,6 +130,31 @@ public:
 
 private:
   using Index = internal::Remeshing_mesh::Index;
+
+  // Marks the features, those of the map or those that are found, and the rim, in the copy that is to be measured, and returns that: the
+  // wider one where there is one, unless the range is a part on its own. A map is asked for edges of the range alone; on its rim and beyond
+  // those that are found are marked, too.
+  template <class EdgeIsConstrainedMap>
+  static const internal::Flat_copy<TriangleMesh>& mark_curves(internal::Flat_copy<TriangleMesh>& copy,
+                                                              internal::Wider_copy<TriangleMesh>& wider,
+                                                              const TriangleMesh& tmesh, const EdgeIsConstrainedMap& map)
+  {
+    constexpr bool HAS_MAP = !std::is_same<EdgeIsConstrainedMap, internal::No_map>::value;
+    internal::Features_around found{{}, true};
+    if (!HAS_MAP || !wider.faces.empty()) found = internal::find_features_around(copy.mesh, wider.mesh);
+    internal::Flat_copy<TriangleMesh>& seen = found.are_of_range_alone ? copy : wider;
+    const auto is_within = [&](Index h) { return h < Index(4 * copy.faces.size()) && !copy.mesh.is_border(h); };
+    for (const Index h : found.edges)
+      if (!HAS_MAP || !is_within(h)) internal::mark_feature(seen.mesh, h);
+    if constexpr (HAS_MAP)
+      copy.mesh.for_each_halfedge([&](Index h) {
+        if (get(map, edge(copy.halfedge(h), tmesh))) internal::mark_feature(seen.mesh, h);
+      });
+    seen.mesh.for_each_halfedge([&](Index h) {
+      if (seen.is_on_rim(h, tmesh)) seen.mesh.add_flags(h, internal::Remeshing_mesh::ON_RIM);
+    });
+    return seen;
+  }
 
   struct Table
   {

@@ -233,12 +233,12 @@ private:
   std::vector<Index> held_;              // vertices that stay where they are in the iterations
 };
 
-// Whether sweeps may move the spikes of the input: those of noise that makes a part of its faces cross others, and all where few faces
-// will be left of them. Else, as on rugged terrain, they are its shape.
+// Whether sweeps may move the spikes of the input: those of noise that makes this part of its faces cross others, and all where the target
+// is longer than its edges by this factor, and cannot resolve them. Else, as on rugged terrain, they are its shape.
 template <class ConcurrencyTag>
 bool moves_spikes(const Remeshing_context& context)
 {
-  constexpr double LEAST_SHARE = 0.02, COARSER = 1.4;          // of the faces; than the input's edges
+  constexpr double LEAST_SHARE = 0.02, COARSER = 1.4;
   if (!(context.noise > LITTLE_NOISE)) return false;
   return context.target_length > COARSER * mean_edge_length(context.mesh) ||
          double(faces_of(crossing_faces<ConcurrencyTag>(context.mesh)).size()) > LEAST_SHARE * double(context.mesh.number_of_live_faces());

@@ -42,6 +42,14 @@ struct Flat_copy
   {
     return halfedges[3 * (h >> 2) + (h & 3)];
   }
+
+  // Whether a face outside of the range lies beyond the edge of h, a half-edge of a face on the border of the copy.
+  bool has_outside_face(Remeshing_mesh::Index h, const TriangleMesh& tmesh) const
+  {
+    return face(opposite(halfedge(h), tmesh), tmesh) != Traits::null_face();
+  }
+  // Whether the mesh goes on beyond the edge of h, but the copy does not.
+  bool is_on_rim(Remeshing_mesh::Index h, const TriangleMesh& tmesh) const { return mesh.is_border(h) && has_outside_face(h, tmesh); }
 };
 
 // Whether a descriptor is that of a face of the mesh. Where elements have numbers that is told by the number, else only that it is one.
@@ -252,7 +260,7 @@ private:
   void mark_border(Index v, Index first)
   {
     copy_.mesh.add_marks(v, Remeshing_mesh::ON_BORDER);
-    if (has_outside_face(first) || has_outside_face(copy_.mesh.last_edge(v)))
+    if (copy_.has_outside_face(first, tmesh_) || copy_.has_outside_face(copy_.mesh.last_edge(v), tmesh_))
       copy_.mesh.add_marks(v, Remeshing_mesh::NEXT_TO_OUTSIDE);
   }
 
@@ -262,11 +270,6 @@ private:
   {
     return next(opposite(copy_.halfedge(copy_.mesh.first(v)), tmesh_), tmesh_) ==
            opposite(copy_.halfedge(copy_.mesh.last_edge(v)), tmesh_);
-  }
-
-  bool has_outside_face(Index h) const
-  {
-    return face(opposite(copy_.halfedge(h), tmesh_), tmesh_) != Traits::null_face();
   }
 
   // Of the user's vertex that is the origin of h.

@@ -43,8 +43,7 @@ Wider_copy<TriangleMesh> read_wider_copy(const Flat_copy<TriangleMesh>& copy, co
   constexpr std::size_t FEWEST = 1000, MOST = 5000;
   constexpr double FARTHEST = 1000;
   std::size_t rim = 0;
-  copy.mesh.for_each_halfedge([&](Index h) {
-    rim += copy.mesh.is_border(h) && face(opposite(copy.halfedge(h), tmesh), tmesh) != Traits::null_face(); });
+  copy.mesh.for_each_halfedge([&](Index h) { rim += copy.is_on_rim(h, tmesh); });
   if (rim == 0) return {};
 
   const std::size_t wanted = (std::min)((std::max)(copy.faces.size(), FEWEST), MOST), enough = copy.faces.size() + wanted;
