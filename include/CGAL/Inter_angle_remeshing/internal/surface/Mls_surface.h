@@ -5,18 +5,13 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_SURFACE_MLS_SURFACE_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SURFACE_MLS_SURFACE_H
 
-#include <CGAL/Inter_angle_remeshing/internal/curves/curves.h>
-#include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh.h>
-#include <CGAL/Inter_angle_remeshing/internal/surface/Close_patches.h>
-#include <CGAL/Inter_angle_remeshing/internal/surface/Planar_polygons.h>
+#include <CGAL/Inter_angle_remeshing/internal/compiled.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/Reference_surface.h>
-#include <CGAL/Inter_angle_remeshing/internal/surface/sector_fit.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -65,6 +60,7 @@ public:
   // Of the faces that are larger than `least_size`; on the other ones, and on those of which `is_flat` says so, whose size is 0, the
   // surface is the triangle. Features are the border, constrained edges, those of the half-edges `creases`, and edges where two wide planar
   // polygons meet. Unless it `keeps_apart`, the surface may cross what is close by.
+  CGAL_INTER_ANGLE_REMESHING_INLINE
   Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_size = -1,
               const std::vector<char>* is_flat = nullptr, bool keeps_apart = true);
 
@@ -118,6 +114,8 @@ public:
   static constexpr double LARGEST_OFFSET = 0.15, LARGEST_STEP = 0.3;
 
 private:
+  friend class Mls_surface_fit;
+
   struct Face_data
   {
     Index sector[3] = {-1, -1, -1};          // of the corners; -1: no normal
@@ -129,11 +127,8 @@ private:
   // The first of the bits of edges on features, of vertices there, and of straight edges there.
   static constexpr std::uint32_t FEATURE_EDGE = 1u, FEATURE_VERTEX = 1u << 3, STRAIGHT_EDGE = 1u << 6;
 
-  // |d| is at most this fraction of the edge. What curves at the ends of an edge says little about one that is more than this many
-  // times as long as the faces beside it are large: there it falls with the square of that.
-  static constexpr double STEEPEST = 0.35, LONG = 2;
-  // Facets around a vertex are uneven where one has so many times the area of another.
-  static constexpr double UNEVEN = 32;
+  // |d| is at most this fraction of the edge.
+  static constexpr double STEEPEST = 0.35;
 
   static Vector3 clamped(const Vector3& d, double bound)
   {
@@ -149,75 +144,14 @@ private:
   const Vector3& corner(Index f, int k) const { return surface_->position(surface_->face_record(f).vertex[k]); }
 
   bool is_on_feature(Index f, const Barycentric& b) const;
-  void find_sizes(double least_size, const std::vector<char>* is_flat);
-  void mark(Index h)
-  {
-    const Index o = surface_->opposite(h);
-    faces_[h >> 2].features |= FEATURE_EDGE << (h & 3);
-    if (o >= 0) faces_[o >> 2].features |= FEATURE_EDGE << (o & 3);
-  }
-  void find_features(const std::vector<Index>& creases);
-  void find_creases_between_planes();
-  bool is_constrained(Index h) const
-  {
-    return (surface_->face_record(h >> 2).edge_flags & (Remeshing_mesh::CONSTRAINED << (h & 3))) != 0;
-  }
-  bool is_at_curved_face(Index h) const { return is_corner_[surface_->origin(h)] || is_corner_[surface_->target(h)]; }
-  bool is_fold(Index h) const;
-  bool is_beside_fold(Index h) const;
-  void find_tangents();
-  void fit_sectors();
-  void fit_fan(Index first, std::vector<Vector3>& offsets);
-  double turn_over(Index h) const;
-  double width_at(Index h) const;
-  bool is_tangent_rim(Index h) const;
-  void find_flats();
-  // Whether the face of h is part of a flat.
-  bool is_flat(Index h) const
-  {
-    return !is_flat_polygon_.empty() && polygons_[h >> 2] >= 0 && is_flat_polygon_[polygons_[h >> 2]] != 0;
-  }
-  Vector3 normal_of_flats(const std::vector<Index>& sector) const;
-  Vector3 normal_at_tangent_rims(const std::vector<Index>& sector) const;
-  Vector3 normal_of_uneven_sector(const std::vector<Index>& sector) const;
-  void fit_sector(const std::vector<Index>& sector, std::vector<Vector3>& offsets);
-  void find_rises();
-  bool turns_over(Index f) const;
-  void flatten_edge(Index h);
-  void straighten(Index h);
-  void flatten_what_turns_over();
-  void flatten_what_crosses();
   Vector3 feature_offset(Index f, int from, int to) const;
 
   const Reference_surface* surface_;
   std::vector<Face_data> faces_;
   std::vector<float> sizes_;                 // by face
-  // Only what the curved faces need is found: the features and normals around their corners.
-  std::vector<Index> curved_;
-  std::vector<char> is_corner_;              // by vertex: of a curved face
-  std::vector<char> is_on_fold_;             // by vertex
-  Planar_polygons polygons_;
-  std::vector<char> is_flat_polygon_;
-  std::vector<char> tangent_rims_;           // by face: a bit for each edge at which what is beyond curves more
   std::vector<Vector3> normals_;             // unit, by sector
   std::vector<Vector3> tangents_;            // unit, by vertex on a feature; zero at corners
 };
-
-inline Mls_surface::Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_size,
-                                const std::vector<char>* is_flat, bool keeps_apart)
-  : surface_(&surface), faces_(surface.number_of_faces())
-{
-  find_sizes(least_size, is_flat);
-  find_features(creases);
-  if (!curved_.empty()) polygons_ = Planar_polygons(surface, [this](Index h) { return is_feature(h); });
-  find_creases_between_planes();
-  find_flats();
-  find_tangents();
-  fit_sectors();
-  find_rises();
-  flatten_what_turns_over();
-  if (keeps_apart) flatten_what_crosses();
-}
 
 template <class Function>
 Mls_surface::Mls_surface(const Mls_surface& whole, const Reference_surface& part, double scale, const Function& halfedge)
@@ -246,359 +180,6 @@ Mls_surface::Mls_surface(const Mls_surface& whole, const Reference_surface& part
   }
 }
 
-inline void Mls_surface::find_sizes(double least_size, const std::vector<char>* is_flat)
-{
-  is_corner_.assign(surface_->number_of_vertices(), 0);
-  sizes_.resize(faces_.size());
-  for (Index f = 0; f < Index(faces_.size()); ++f) {
-    const double size = is_flat != nullptr && (*is_flat)[f] ? 0. : facet_size(*surface_, f);
-    sizes_[f] = float(size);
-    if (!(size > least_size)) continue;
-    curved_.push_back(f);
-    for (int k = 0; k < 3; ++k) is_corner_[surface_->origin(4 * f + k)] = 1;
-  }
-}
-
-inline bool Mls_surface::is_fold(Index h) const
-{
-  const Index o = surface_->opposite(h);
-  return o >= 0 && !surface_->is_degenerate(h >> 2) && !surface_->is_degenerate(o >> 2) &&
-         !is_cosine_at_least(surface_->cross_product(h >> 2), surface_->cross_product(o >> 2), MLS_FOLD_COSINE);
-}
-
-inline void Mls_surface::find_features(const std::vector<Index>& creases)
-{
-  is_on_fold_.assign(surface_->number_of_vertices(), 0);
-  for (const Index h : creases) mark(h);
-  for (Index h = 0; h < 4 * Index(faces_.size()); ++h) {
-    if ((h & 3) == 3 || !is_at_curved_face(h)) continue;
-    if (is_constrained(h) || surface_->is_border(h)) mark(h);
-    if (surface_->opposite(h) < h && is_fold(h)) is_on_fold_[surface_->origin(h)] = is_on_fold_[surface_->target(h)] = 1;
-  }
-}
-
-// Where two planes meet that have been designed as such, the surface has a crease, however blunt: from a dozen times the angle on to which
-// polygons are plane.
-inline void Mls_surface::find_creases_between_planes()
-{
-  constexpr double CREASE_COSINE = 0.99985;        // 1 degree
-  for (Index h = 0; h < 4 * Index(faces_.size()); ++h) {
-    if ((h & 3) == 3 || surface_->opposite(h) < h || is_feature(h) || !is_at_curved_face(h)) continue;
-    const Index a = polygons_[h >> 2], b = polygons_[surface_->opposite(h) >> 2];
-    if (a >= 0 && b >= 0 && polygons_.is_wide(a) && polygons_.is_wide(b) &&
-        !is_cosine_at_least(polygons_.cross_product(a), polygons_.cross_product(b), CREASE_COSINE)) mark(h);
-  }
-}
-
-// The tangent at a vertex between two feature edges where the curve has no corner, the nearer one counting more; but where one of them is
-// at a flat and the other is not, it is that one.
-inline void Mls_surface::find_tangents()
-{
-  struct Arms { int count = 0; Vector3 direction[2]; bool is_at_flat[2]; };
-  std::vector<Arms> arms(surface_->number_of_vertices());
-  for (Index f = 0; f < Index(faces_.size()); ++f)
-    for (int k = 0; k < 3; ++k) {
-      const Index h = 4 * f + k, o = surface_->opposite(h);
-      if (faces_[f].features == 0) break;
-      if (!is_feature(h) || (o >= 0 && o < h)) continue;
-      const Index ends[2] = {surface_->origin(h), surface_->target(h)};
-      const bool is_at_flat = is_flat(h) || (o >= 0 && is_flat(o));
-      for (int e = 0; e < 2; ++e) {
-        Arms& a = arms[ends[e]];
-        if (a.count < 2) {
-          a.direction[a.count] = surface_->position(ends[1 - e]) - surface_->position(ends[e]);
-          a.is_at_flat[a.count] = is_at_flat;
-        }
-        ++a.count;
-      }
-    }
-  for (const Index f : curved_)
-    for (int k = 0; k < 3; ++k)
-      if (arms[surface_->origin(4 * f + k)].count > 0) faces_[f].features |= FEATURE_VERTEX << k;
-  tangents_.assign(surface_->number_of_vertices(), Vector3());
-  for (std::size_t v = 0; v < arms.size(); ++v) {
-    const Vector3 &in = arms[v].direction[0], &out = arms[v].direction[1];
-    if (arms[v].count != 2 || !is_cosine_at_least(out, -1. * in, CORNER_COSINE)) continue;
-    const double out_part = arms[v].is_at_flat[0] && !arms[v].is_at_flat[1] ? 0 : 1 / squared_length(out),
-                 in_part = arms[v].is_at_flat[1] && !arms[v].is_at_flat[0] ? 0 : 1 / squared_length(in);
-    const Vector3 t = out_part * out - in_part * in;
-    tangents_[v] = (1 / length(t)) * t;
-  }
-}
-
-inline void Mls_surface::fit_sectors()
-{
-  std::vector<Vector3> offsets;
-  std::vector<char> is_done(surface_->number_of_vertices(), 0);
-  for (const Index f : curved_)
-    for (int k = 0; k < 3; ++k) {
-      char& is_fan_done = is_done[surface_->origin(4 * f + k)];
-      if (!is_fan_done) fit_fan(surface_->fan_start(4 * f + k), offsets);
-      is_fan_done = 1;
-    }
-}
-
-// The faces around a vertex, cut at the features into sectors.
-inline void Mls_surface::fit_fan(Index first, std::vector<Vector3>& offsets)
-{
-  // A closed fan that has features begins behind one of them.
-  Index start = first;
-  if (!surface_->is_border(first)) {
-    bool is_found = false;
-    surface_->for_each_in_fan(first, [&](Index h) {
-      if (!is_found && is_feature(h)) { start = h; is_found = true; }
-    });
-  }
-  std::vector<Index> sector;
-  surface_->for_each_in_fan(start, [&](Index h) {
-    if (is_feature(h) && !sector.empty()) {
-      fit_sector(sector, offsets);
-      sector.clear();
-    }
-    sector.push_back(h);
-  });
-  fit_sector(sector, offsets);
-}
-
-// The angle from the polygon of h to the one behind it, in radians; negative where they meet in a groove.
-inline double Mls_surface::turn_over(Index h) const
-{
-  const Vector3 &n = polygons_.cross_product(polygons_[h >> 2]), &m = polygons_.cross_product(polygons_[surface_->opposite(h) >> 2]),
-                axis = cross(n, m);
-  const double angle = std::atan2(length(axis), dot(n, m));
-  return dot(axis, surface_->position(surface_->target(h)) - surface_->position(surface_->origin(h))) < 0 ? -angle : angle;
-}
-
-// How far the polygon of h reaches from h, about, where that is no further than along h.
-inline double Mls_surface::width_at(Index h) const
-{
-  const double area = length(polygons_.cross_product(polygons_[h >> 2])) / 2;
-  return (std::min)(std::sqrt(area), area / length(surface_->position(surface_->target(h)) - surface_->position(surface_->origin(h))));
-}
-
-// Whether behind h begins what curves, tangent to the polygon of h: over h the surface curves less, by the angles over the widths,
-// than over an edge behind the next polygon, which may be a feature, to the same side; and that one is narrower. Inscribed facets turn
-// from a flat by half of what they turn from each other.
-inline bool Mls_surface::is_tangent_rim(Index h) const
-{
-  constexpr double TANGENT = 0.35, NARROWER = 2.5;
-  const Index o = surface_->opposite(h), next = polygons_[o >> 2];
-  if (next < 0) return false;
-  const double width = std::sqrt(length(polygons_.cross_product(polygons_[h >> 2])) / 2), next_width = width_at(o);
-  if (!(width > NARROWER * next_width)) return false;
-  const double curvature = turn_over(h) / (width + next_width);
-  const auto curves_more_beyond = [&](Index e) {
-    const Index beyond = surface_->opposite(e);
-    if (beyond < 0 || polygons_[beyond >> 2] < 0 || polygons_[beyond >> 2] == polygons_[h >> 2]) return false;
-    const double other = turn_over(e) / (width_at(e) + width_at(beyond));
-    return curvature * other > 0 && std::abs(curvature) < TANGENT * std::abs(other);
-  };
-  // The next polygon is a triangle or a quadrangle in most cases; of larger ones these faces are enough.
-  for (const Index e : {Reference_surface::next(o), surface_->prev(o)}) {
-    const Index beyond = surface_->opposite(e);
-    if (beyond < 0 || polygons_[beyond >> 2] != next) {
-      if (curves_more_beyond(e)) return true;
-    } else if (curves_more_beyond(Reference_surface::next(beyond)) || curves_more_beyond(surface_->prev(beyond))) {
-      return true;
-    }
-  }
-  return false;
-}
-
-// A polygon in one plane is a flat if what curves joins it tangentially on all its sides, but for a tenth of their length and for features.
-inline void Mls_surface::find_flats()
-{
-  constexpr double LEAST_SHARE = 0.9;
-  struct Rim { double length = 0, tangent = 0; };
-  if (curved_.empty()) return;
-  std::vector<Rim> rims(polygons_.size());
-  tangent_rims_.assign(faces_.size(), 0);
-  for (Index h = 0; h < 4 * Index(faces_.size()); ++h) {
-    if ((h & 3) == 3 || polygons_[h >> 2] < 0 || !polygons_.is_exact(polygons_[h >> 2]) || is_feature(h)) continue;
-    const Index o = surface_->opposite(h);
-    if (o < 0 || polygons_[o >> 2] == polygons_[h >> 2]) continue;
-    const double l = length(surface_->position(surface_->target(h)) - surface_->position(surface_->origin(h)));
-    Rim& rim = rims[polygons_[h >> 2]];
-    rim.length += l;
-    if (!is_tangent_rim(h)) continue;
-    rim.tangent += l;
-    tangent_rims_[h >> 2] |= char(1 << (h & 3));
-  }
-  is_flat_polygon_.assign(rims.size(), 0);
-  for (std::size_t i = 0; i < rims.size(); ++i)
-    is_flat_polygon_[i] = rims[i].tangent > 0 && rims[i].tangent >= LEAST_SHARE * rims[i].length;
-}
-
-// The normal, not of unit length, of the flats of a sector, the larger ones counting more; zero where there is none.
-inline Vector3 Mls_surface::normal_of_flats(const std::vector<Index>& sector) const
-{
-  Vector3 sum;
-  for (auto h = sector.begin(); h != sector.end(); ++h) {
-    const Index polygon = polygons_[*h >> 2];
-    if (!is_flat(*h) || std::any_of(sector.begin(), h, [&](Index before) { return polygons_[before >> 2] == polygon; })) continue;
-    const Vector3& c = polygons_.cross_product(polygon);
-    sum += length(c) * c;
-  }
-  return sum;
-}
-
-// The normal, not of unit length, of the facets of a sector behind whose edges begins what curves more, tangent to them, as at the ends
-// of a cylinder between two fillets: the shorter these edges are, the nearer it is to a facet's. Zero where there are less than two edges.
-inline Vector3 Mls_surface::normal_at_tangent_rims(const std::vector<Index>& sector) const
-{
-  Vector3 sum;
-  int rims = 0;
-  for (const Index h : sector)
-    for (const Index e : {h, surface_->prev(h)}) {
-      if ((tangent_rims_[e >> 2] >> (e & 3) & 1) == 0) continue;
-      ++rims;
-      const Vector3& c = polygons_.cross_product(polygons_[e >> 2]);
-      sum += (1 / (length(c) * length(surface_->position(surface_->target(e)) - surface_->position(surface_->origin(e))))) * c;
-    }
-  return rims > 1 ? sum : Vector3();
-}
-
-// The larger a facet is, the less it turns from the surface, where all are as near to it: a fillet is tangent to the flats that it
-// joins, however small its facets are, and however the flats are triangulated. So where the facets of a sector, planar polygons and
-// other faces, are uneven, the large ones say what the normal is, which is not of unit length; else it is zero.
-inline Vector3 Mls_surface::normal_of_uneven_sector(const std::vector<Index>& sector) const
-{
-  double least = std::numeric_limits<double>::infinity(), most = 0;
-  Vector3 sum;
-  const auto polygon_of = [&](Index h) {
-    const Index polygon = polygons_[h >> 2];
-    return polygon >= 0 && polygons_.has_many_faces(polygon) ? polygon : Index(-1);
-  };
-  Index before = polygon_of(sector.back());
-  for (const Index h : sector) {
-    const Index polygon = polygon_of(h);
-    if (polygon >= 0 && polygon == before) continue;
-    before = polygon;
-    const Vector3 c = polygon >= 0 ? polygons_.cross_product(polygon) : surface_->cross_product(h >> 2);
-    const double area = length(c);
-    if (!(area > 0)) continue;
-    least = (std::min)(least, area);
-    most = (std::max)(most, area);
-    sum += area * c;
-  }
-  return most > UNEVEN * least ? sum : Vector3();
-}
-
-// `sector`: the half-edges that leave the vertex through the faces of the sector, counterclockwise.
-inline void Mls_surface::fit_sector(const std::vector<Index>& sector, std::vector<Vector3>& offsets)
-{
-  const Vector3& p = surface_->position(surface_->origin(sector.front()));
-  const auto offset = [&](Index v) { return surface_->position(v) - p; };
-  offsets.clear();
-  Vector3 sum;
-  double scale = 0;
-  std::size_t first_neighbors = 0;
-  const auto add_first_neighbor = [&](Index v) {
-    offsets.push_back(offset(v));
-    scale += length(offsets.back());
-    ++first_neighbors;
-  };
-  for (const Index h : sector) {
-    const Vector3 a = offset(surface_->target(h)), b = offset(surface_->apex(h)), c = cross(a, b);
-    add_first_neighbor(surface_->target(h));
-    const double product = squared_length(a) * squared_length(b);
-    if (!is_degenerate(c, Vector3(), a, b)) sum += (1 / product) * c;
-  }
-  const Index last = surface_->prev(sector.back());      // the edge behind the sector's last face
-  if (surface_->origin(last) != surface_->target(sector.front())) add_first_neighbor(surface_->origin(last));
-  for (const Index h : sector) {
-    const Index link = Reference_surface::next(h), across = surface_->opposite(link);
-    if (across >= 0 && !is_feature(link) && !is_constrained(link)) offsets.push_back(offset(surface_->apex(across)));
-  }
-  scale /= double(first_neighbors);
-  const double l = length(sum);
-  if (!(l > 0) || !(scale > 0)) return;
-  Vector3 normal = normal_of_flats(sector);
-  if (!(length(normal) > 0)) normal = normal_at_tangent_rims(sector);
-  if (!(length(normal) > 0)) normal = normal_of_uneven_sector(sector);
-  const double n = length(normal);
-  for (const Index h : sector) faces_[h >> 2].sector[h & 3] = Index(normals_.size());
-  normals_.push_back(n > 0 ? (1 / n) * normal : fit_normal(offsets, (1 / l) * sum, scale));
-}
-
-// Whether one of the faces at h touches a fold.
-inline bool Mls_surface::is_beside_fold(Index h) const
-{
-  const Index across = surface_->opposite(h);
-  return is_on_fold_[surface_->origin(h)] || is_on_fold_[surface_->target(h)] || is_on_fold_[surface_->apex(h)] ||
-         (across >= 0 && is_on_fold_[surface_->apex(across)]);
-}
-
-inline void Mls_surface::find_rises()
-{
-  for (const Index f : curved_)
-    for (int k = 0; k < 3; ++k) {
-      const Vector3 n = corner_normal(f, k);
-      for (int side = 0; side < 2; ++side) {
-        const Index h = 4 * f + (k + 2 * side) % 3, across = surface_->opposite(h);
-        if (is_beside_fold(h)) continue;
-        const Vector3 e = corner(f, (k + 1 + side) % 3) - corner(f, k);
-        const double size = across >= 0 ? (std::min)(sizes_[f], sizes_[across >> 2]) : sizes_[f];
-        const double l = length(e), bound = STEEPEST * l, part = l > LONG * size ? LONG * size / l : 1.;
-        faces_[f].rise[k][side] = float(part * part * (std::max)(-bound, (std::min)(bound, dot(e, n))));
-      }
-    }
-}
-
-// Whether the surface over face f somewhere makes the angle of a fold with it. Where it hardly rises beside the width of the face, it
-// cannot.
-inline bool Mls_surface::turns_over(Index f) const
-{
-  constexpr double LEAST_RISE = 0.5;               // in altitudes
-  constexpr int PARTS = 3;                         // of each edge
-  float highest = 0;
-  for (const auto& at_corner : faces_[f].rise)
-    for (const float rise : at_corner) highest = (std::max)(highest, std::abs(rise));
-  if (double(highest) <= LEAST_RISE * surface_->least_altitude(f)) return false;
-  const auto at = [&](int i, int j) { return point(f, {double(PARTS - i - j) / PARTS, double(i) / PARTS, double(j) / PARTS}); };
-  const Vector3& c = surface_->cross_product(f);
-  const auto is_steep = [&](const Vector3& p, const Vector3& q, const Vector3& r) {
-    return !is_cosine_at_least(triangle_cross(p, q, r), c, MLS_FOLD_COSINE);
-  };
-  for (int i = 0; i < PARTS; ++i)
-    for (int j = 0; i + j < PARTS; ++j) {
-      const Vector3 p = at(i, j), q = at(i + 1, j), r = at(i, j + 1);
-      if (is_steep(p, q, r) || (i + j + 1 < PARTS && is_steep(q, at(i + 1, j + 1), r))) return true;
-    }
-  return false;
-}
-
-inline void Mls_surface::straighten(Index h)
-{
-  faces_[h >> 2].features |= STRAIGHT_EDGE << (h & 3);
-  if (surface_->opposite(h) >= 0) faces_[surface_->opposite(h) >> 2].features |= STRAIGHT_EDGE << (surface_->opposite(h) & 3);
-}
-
-inline void Mls_surface::flatten_edge(Index h)
-{
-  const auto flatten = [&](Index side) {
-    const int k = side & 3;
-    faces_[side >> 2].rise[k][0] = faces_[side >> 2].rise[(k + 1) % 3][1] = 0;
-  };
-  flatten(h);
-  if (surface_->opposite(h) >= 0) flatten(surface_->opposite(h));
-}
-
-// One that is flattened changes those around it.
-inline void Mls_surface::flatten_what_turns_over()
-{
-  std::vector<Index> suspects = curved_;
-  while (!suspects.empty()) {
-    const Index f = suspects.back();
-    suspects.pop_back();
-    if (!turns_over(f)) continue;
-    for (Index h = 4 * f; h < 4 * f + 3; ++h) {
-      flatten_edge(h);
-      if (surface_->opposite(h) >= 0) suspects.push_back(surface_->opposite(h) >> 2);
-    }
-  }
-}
-
 inline double Mls_surface::height(Index f) const
 {
   double highest = 0;
@@ -607,18 +188,6 @@ inline double Mls_surface::height(Index f) const
     if (is_feature(4 * f + k)) for (const Vector3& d : curve_offsets(4 * f + k)) highest = (std::max)(highest, length(d));
   }
   return (std::min)(highest / 3, LARGEST_OFFSET * sizes_[f]);
-}
-
-// Where the faces of the reference surface cross each other, nothing is gained.
-inline void Mls_surface::flatten_what_crosses()
-{
-  if (curved_.empty()) return;
-  Close_patches<Mls_surface>(*this).part([&](Index f) {
-    for (Index h = 4 * f; h < 4 * f + 3; ++h) {
-      flatten_edge(h);
-      if (is_feature(h)) straighten(h);
-    }
-  });
 }
 
 // d for a feature edge. The curve must not cross the faces beside it, which may be thinner than it is high.
@@ -717,5 +286,9 @@ inline Vector3 Mls_surface::project(const Vector3& q, Index f, const Point_on_tr
 } // namespace internal
 } // namespace Inter_angle_remeshing
 } // namespace CGAL
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_COMPILED
+#  include <CGAL/Inter_angle_remeshing/internal/surface/Mls_surface_impl.h>
+#endif
 
 #endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_SURFACE_MLS_SURFACE_H
