@@ -7,9 +7,13 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/features/Face_normals.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/Feature_graph.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/Feature_network.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/Feature_pruning.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/Model_kind.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/Narrow_strips.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/Outstanding_edges.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/Rounded_edge_finder.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/dense_edges.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/fine_relief.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/planar_rims.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh.h>
@@ -90,7 +94,7 @@ public:
     if (is_cad || !kind_.smooth_curves().empty()) drop_fine_relief(found, lengths, relief_density);
     const std::size_t others = found.size();
     found.insert(found.end(), rounded.edges.begin(), rounded.edges.end());
-    if (is_cad || rounded.edges.empty() || Feature_graph(mesh_, own_length_, found).is_bent_network())
+    if (is_cad || rounded.edges.empty() || is_bent_network(found))
       result.rounded = std::move(rounded);
     else found.resize(others);
     make_unique(found);
@@ -141,6 +145,13 @@ private:
     return result;
   }
 
+  // Whether these edges are those of a part with fillets.
+  bool is_bent_network(const std::vector<Index>& edges) const
+  {
+    Feature_graph graph(mesh_, own_length_, edges);
+    return Feature_network(graph).is_bent();
+  }
+
   // Whether edges of the target lengths, by face, follow the edge of h, and there is room for some on both sides: no relief is that large.
   bool is_between_large_faces(Index h, const std::vector<double>& lengths) const
   {
@@ -157,7 +168,7 @@ private:
   {
     Feature_graph graph(mesh_, length_);
     for (const Index h : kind_.sharp_edges()) graph.add(h, normals_.angle(h));
-    graph.keep_rings((std::max)(LEAST_RING * own_length_, LEAST_HOLE * target_length_) / length_);
+    Feature_pruning(graph).keep_rings((std::max)(LEAST_RING * own_length_, LEAST_HOLE * target_length_) / length_);
     std::vector<Index> edges = graph.edges();
     if (double(edges.size()) > MOST_RINGS * double(mesh_.number_of_face_slots())) edges.clear();
     return edges;
@@ -168,8 +179,8 @@ private:
   {
     Feature_graph graph(mesh_, length);
     for (const Index h : edges) graph.add(h, normals_.angle(h), std::binary_search(certain.begin(), certain.end(), h));
-    if (kind_.has_jagged_chamfers()) graph.prune_part();
-    else graph.prune();
+    if (kind_.has_jagged_chamfers()) Feature_pruning(graph).prune_part();
+    else Feature_pruning(graph).prune();
     return graph.edges();
   }
 
@@ -179,8 +190,14 @@ private:
     Feature_graph graph(mesh_, target_length_);
     for (const Index h : rims) graph.add(h, normals_.turn(h));
     graph.drop_short_components(LEAST_RIM);
-    graph.drop_sides_of_strips(NARROW * target_length_, NARROW * target_length_, [&](Index f) { return NARROW * lengths[f]; });
+    drop_sides_of_strips(graph, target_length_, target_length_, lengths);
     return graph.edges();
+  }
+
+  // Of strips that are too narrow for the first length, certainly where they are for the second one.
+  static void drop_sides_of_strips(Feature_graph& graph, double length, double certain_length, const std::vector<double>& lengths)
+  {
+    Narrow_strips(graph, NARROW * length, NARROW * certain_length).drop_sides([&](Index f) { return NARROW * lengths[f]; });
   }
 
   // Of these edges, those that are left when no two chains are the sides of a strip too narrow for the length, or of a step too low for
@@ -189,7 +206,7 @@ private:
   {
     Feature_graph graph(mesh_, length_);
     for (const Index h : edges) graph.add(h, normals_.turn(h));
-    graph.drop_sides_of_strips(NARROW * length_, NARROW * scale_, [&](Index f) { return NARROW * lengths[f]; });
+    drop_sides_of_strips(graph, length_, scale_, lengths);
     return graph.edges();
   }
 
@@ -209,7 +226,7 @@ private:
       const double length_there = (std::min)(lengths[h >> 2], lengths[mesh_.opposite(h) >> 2]);
       graph.add(h, 0, is_between_large_faces(h, lengths), target_length_ / length_there);
     }
-    graph.cut_out(densities, density);
+    cut_out_dense_edges(graph, densities, density);
     edges = graph.edges();
   }
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/features/Face_normals.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/Feature_graph.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/Feature_network.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/jagged_chamfers.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/voxel_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/mesh_regions.h>
@@ -183,7 +184,10 @@ private:
     const auto is_cad_with = [&](double length) {
       return lengths.mild < 0.5 * length || (lengths.mild < 1.1 * length && lengths.are_mostly_flat) || are_few_mild(length);
     };
-    const auto form_network = [&]() { return Feature_graph(mesh_, own_length_, candidates).is_network(); };
+    const auto form_network = [&]() {
+      Feature_graph graph(mesh_, own_length_, candidates);
+      return Feature_network(graph).is_network();
+    };
     return ((is_cad_with(lengths.sharp) && is_cad_with(of_long)) || (lengths.mild < MOST_MILD * of_long && form_network())) &&
            ((are_few_mild(lengths.sharp) && are_few_mild(of_long)) || !are_of_noise());
   }
@@ -200,7 +204,7 @@ private:
   void find_smooth_curves(const std::vector<Index>& edges)
   {
     Feature_graph graph(mesh_, own_length_, edges);
-    if (are_of_noise() || !graph.is_smooth_network()) return;
+    if (are_of_noise() || !Feature_network(graph).is_smooth()) return;
     const std::vector<Index> curves = graph.edges();
     const Parts parts = find_parts();
     std::vector<double> length(parts.area.size(), 0), turns(parts.area.size(), 0);      // by part

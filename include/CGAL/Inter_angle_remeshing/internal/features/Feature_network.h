@@ -1,0 +1,130 @@
+// Copyright (c) 2026 The Inter_angle_remeshing authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURES_FEATURE_NETWORK_H
+#define CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURES_FEATURE_NETWORK_H
+
+#include <CGAL/Inter_angle_remeshing/internal/curves/curves.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/Feature_graph.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Inter_angle_remeshing {
+namespace internal {
+
+// Whether the edges of a graph are those of something designed, a machine part, or curves drawn on what has grown. Animals and scans have
+// edges that are loose, jagged, and a tangle.
+class Feature_network
+{
+  using Index = Feature_graph::Index;
+  using Chain = Feature_graph::Chain;
+
+public:
+  // The functions drop what does not belong to a network.
+  explicit Feature_network(Feature_graph& graph)
+    : graph_(graph)
+  {}
+
+  // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet; those of a part that was
+  // remeshed coarsely again and again bend more often. What leads to a free end is dropped.
+  bool is_network()
+  {
+    const Shape shape = look();
+    return shape.is_network && (double(shape.bent) <= LARGEST_BENT_SHARE * double(shape.inner) ||
+                                double(shape.bent + shape.others) <= LARGEST_UNEVEN_SHARE * double(shape.inner + shape.others));
+  }
+  // The same where curves may bend, as along fillets: paths of edges join them where they meet.
+  bool is_bent() { return look().is_network; }
+  // Whether hardly anything else is left out when only curves are kept that end nowhere, hardly bend, and seldom meet. Short ones between
+  // others that run on smoothly, and components that are a tangle, are dropped.
+  bool is_smooth()
+  {
+    const double length_of_all = graph_.length_left();
+    graph_.drop_trees();
+    drop_rungs();
+    graph_.drop_trees();
+    for (const std::vector<Index>& component : graph_.components())
+      if (component.size() < LEAST_EDGES || !is_smooth(component)) graph_.drop(component);
+    return graph_.length_left() > 0 && graph_.length_left() >= LEAST_SMOOTH_SHARE * length_of_all;
+  }
+
+private:
+  struct Shape
+  {
+    bool is_network;
+    std::size_t inner, bent, others;     // vertices of two edges, those of them where these turn, and all others
+  };
+
+  static constexpr std::size_t LEAST_EDGES = 12;       // the ring of fewer turns by 30 degrees at each
+  static constexpr double LEAST_NETWORK_SHARE = 0.7, LARGEST_BENT_SHARE = 0.2, LARGEST_MEETING_SHARE = 0.4,
+                          LARGEST_UNEVEN_SHARE = 0.33;
+  // Of a network, what is part of smooth curves; of the vertices of such, those of two edges where these turn, and those of more, of which
+  // none has more than so many. Rungs between two curves have at most so many edges.
+  static constexpr double LEAST_SMOOTH_SHARE = 0.9, SMOOTH_BENT_SHARE = 0.02, SMOOTH_MEETING_SHARE = 0.2;
+  static constexpr int MOST_SMOOTH_DEGREE = 4;
+  static constexpr std::size_t LONGEST_RUNG = 3;
+
+  Shape look()
+  {
+    const double length_of_all = graph_.length_left();
+    graph_.drop_trees();
+    std::size_t inner = 0, bent = 0, others = 0;
+    for (Index v = 0; v < Index(graph_.number_of_vertices()); ++v) {
+      if (graph_.edges_left(v) == 0) continue;
+      ++(graph_.degree(v) == 2 ? inner : others);
+      bent += graph_.degree(v) == 2 && graph_.bends(v);
+    }
+    return {graph_.length_left() >= LEAST_NETWORK_SHARE * length_of_all && inner >= LEAST_EDGES &&
+            double(others) <= LARGEST_MEETING_SHARE * double(inner + others), inner, bent, others};
+  }
+
+  // Drops short chains both of whose ends lie on other curves that run on there.
+  void drop_rungs()
+  {
+    for (const Chain& chain : graph_.chains())
+      if (chain.edges.size() <= LONGEST_RUNG && chain.ends[0] >= 0 && chain.ends[1] >= 0 && runs_on(chain.ends[0], chain.edges) &&
+          runs_on(chain.ends[1], chain.edges)) graph_.drop(chain.edges);
+  }
+
+  // Whether two edges at v that are not among these continue each other; where there are many, they are a tangle.
+  bool runs_on(Index v, const std::vector<Index>& chain) const
+  {
+    constexpr int MANY = 10;
+    if (graph_.degree(v) >= MANY) return false;
+    std::vector<Vector3> directions;
+    graph_.for_each_incident(v, [&](Index e) {
+      if (std::find(chain.begin(), chain.end(), e) == chain.end())
+        directions.push_back(graph_.position(graph_.other_end(e, v)) - graph_.position(v));
+    });
+    for (auto d = directions.begin(); d != directions.end(); ++d)
+      if (std::any_of(d + 1, directions.end(), [&](const Vector3& other) { return is_cosine_at_least(*d, -1. * other, CORNER_COSINE); }))
+        return true;
+    return false;
+  }
+
+  // Whether the curves of a component hardly bend, and seldom meet, nowhere more than two.
+  bool is_smooth(const std::vector<Index>& component) const
+  {
+    const std::vector<Index> vertices = graph_.vertices_of(component);
+    std::size_t bent = 0, others = 0;
+    for (const Index v : vertices) {
+      if (graph_.degree(v) > MOST_SMOOTH_DEGREE) return false;
+      if (graph_.degree(v) != 2) ++others;
+      else bent += graph_.bends(v);
+    }
+    return double(bent) <= SMOOTH_BENT_SHARE * double(vertices.size() - others) &&
+           double(others) <= SMOOTH_MEETING_SHARE * double(vertices.size());
+  }
+
+  Feature_graph& graph_;
+};
+
+} // namespace internal
+} // namespace Inter_angle_remeshing
+} // namespace CGAL
+
+#endif // CGAL_INTER_ANGLE_REMESHING_INTERNAL_FEATURES_FEATURE_NETWORK_H
