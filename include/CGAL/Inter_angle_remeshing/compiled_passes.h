@@ -24,7 +24,7 @@ file that includes nothing but this header compiles them once, with the same opt
 #include <CGAL/Inter_angle_remeshing/internal/features/feature_detection_impl.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/input_kind_impl.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/Mls_surface_impl.h>
-#include <CGAL/Inter_angle_remeshing/internal/surface/paper_surface_impl.h>
+#include <CGAL/Inter_angle_remeshing/internal/surface/run_on_surface_impl.h>
 
 #include <CGAL/tags.h>
 

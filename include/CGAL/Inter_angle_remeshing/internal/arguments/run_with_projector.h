@@ -12,62 +12,19 @@
 #include <CGAL/Inter_angle_remeshing/internal/arguments/target_of_run.h>
 #include <CGAL/Inter_angle_remeshing/internal/exchange/constraints.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/input_kind.h>
-#include <CGAL/Inter_angle_remeshing/internal/mesh/edge_lengths.h>
-#include <CGAL/Inter_angle_remeshing/internal/surface/Default_surface.h>
-#include <CGAL/Inter_angle_remeshing/internal/surface/Part_of_surface.h>
-#include <CGAL/Inter_angle_remeshing/internal/surface/paper_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/projection.h>
-#include <CGAL/Inter_angle_remeshing/internal/surface/starting_places.h>
+#include <CGAL/Inter_angle_remeshing/internal/surface/run_on_surface.h>
 
-#include <cmath>
+#include <boost/property_map/property_map.hpp>
+
 #include <functional>
-#include <optional>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 // What the named parameter `projection_functor` stands for.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
-
-// A surface that the user handed over. Where the mesh is a part of it, all of it or a range of its faces, the projection is onto a copy of
-// that part: walks keep to it and to the patches of the run, and begin where the vertices are.
-class Handed_surface
-{
-public:
-  using Index = Remeshing_mesh::Index;
-
-  // `mls`, if there is one, smooths the surface and knows no other.
-  Handed_surface(const Reference_surface& surface, const Mls_surface* mls, Remeshing_mesh& mesh)
-    : projection_{&surface, mesh.unit() / surface.unit(), mls}
-  {
-    const Part_of_surface part(mesh, surface, projection_.factor);
-    if (!part.is_part()) {
-      projection_.may_be_elsewhere = true;
-      if (looks_to_other_side(mesh, surface, projection_.factor)) projection_.side = -1;
-      find_hints(mesh, projection_);
-      return;
-    }
-    copy_.emplace(mesh);
-    if (mls != nullptr) mls_.emplace(*mls, *copy_, 1 / projection_.factor, [&](Index h) { return part.halfedge(h); });
-    projection_ = Projection{&*copy_, 1, mls_ ? &*mls_ : nullptr};
-    face_of_source_ = faces_by_source(*copy_);
-    projection_.face_of_source = &face_of_source_;
-    start_where_vertices_are(mesh);
-  }
-  Handed_surface(const Handed_surface&) = delete;            // the projection refers to what it holds
-  Handed_surface& operator=(const Handed_surface&) = delete;
-
-  const Projection& projection() const { return projection_; }
-
-private:
-  Projection projection_;
-  std::optional<Reference_surface> copy_;
-  std::optional<Mls_surface> mls_;
-  std::vector<Index> face_of_source_;
-};
 
 // Runs the remesher with a functor of the user's.
 template <class Run>
@@ -92,26 +49,12 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
   const auto& functor = referred(parameters.projection_functor);
   using Functor = std::decay_t<decltype(functor)>;
   if (!parameters.does_project) return run(Projection());
-  if constexpr (std::is_same<Functor, No_map>::value) {
-    if (parameters.recipe.surface == Recipe::Surface::paper) {
-      const Reference_surface facets(mesh);
-      const std::vector<Remeshing_mesh::Index> face_of_source = faces_by_source(facets);
-      const auto rule = paper_surface(facets, find_features(mesh));
-      start_where_vertices_are(mesh);
-      Projection projection{&facets};
-      projection.face_of_source = &face_of_source;
-      if (rule) projection.rule = &rule;
-      return run(projection);
-    }
-    const Default_surface surface(mesh, target.length, target.sizing, kind);
-    start_where_vertices_are(mesh);
-    surface.bend(curves, mean_edge_length(mesh), mesh);
-    if (target.faces > 0) target.length *= std::sqrt(surface.area_ratio());
-    return run(surface.projection());
-  } else if constexpr (Has_reference_surface<Functor>::value) {
+  if constexpr (std::is_same<Functor, No_map>::value)
+    return run_on_own_surface(mesh, parameters.recipe, kind, curves, target, run);
+  else if constexpr (Has_reference_surface<Functor>::value) {
     const Mls_surface* mls = nullptr;
     if constexpr (Has_mls_surface<Functor>::value) mls = &functor.mls_surface();
-    return run(Handed_surface(functor.reference_surface(), mls, mesh).projection());
+    return run_on_handed_surface(functor.reference_surface(), mls, mesh, run);
   } else if constexpr (std::is_invocable_r<Point_3, const Functor&, const Point_3&>::value)
     return run_with_rule(mesh.unit(), true, [&](const Vector3& p) {
       return to_vector3(Point_3(functor(Point_3(p.x, p.y, p.z)))); }, run);
