@@ -10,6 +10,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/curves/corners.h>
 #include <CGAL/Inter_angle_remeshing/internal/exchange/whole_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/Feature_graph.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/Feature_pruning.h>
 #include <CGAL/Inter_angle_remeshing/internal/passes/angle_energy.h>
 #include <CGAL/Inter_angle_remeshing/isotropic_remeshing.h>
 #include <CGAL/Inter_angle_remeshing/triangle_quality.h>
@@ -2870,7 +2871,7 @@ void rings_of_a_few_edges_are_no_features()
       if(copy.mesh.corner(h) < 3 && copy.mesh.opposite(h) > h && is_on_ring(copy.mesh.origin(h)) && is_on_ring(copy.mesh.target(h)))
         graph.add(h, 90);
     CHECK(graph.edges().size() == n);
-    graph.prune();
+    internal::Feature_pruning(graph).prune();
     CHECK_MESSAGE(graph.edges().size() == (n < 12 ? 0 : n), n << ": " << graph.edges().size());
   }
 }
