@@ -30,34 +30,26 @@ inline Vector3 point_at_fraction(const Vector3& start, const Vector3& direction,
 // (C. Ericson, Real-Time Collision Detection, section 5.1.5). Degenerate triangles are allowed.
 inline Point_on_triangle closest_point_on_triangle(const Vector3& q, const Vector3& a, const Vector3& b, const Vector3& c)
 {
-  const Vector3 ab = b - a, ac = c - a, aq = q - a;
-  const double ab_aq = dot(ab, aq), ac_aq = dot(ac, aq);
+  const Vector3 ab = b - a, ac = c - a, aq = q - a, bq = q - b, cq = q - c;
+  const double ab_aq = dot(ab, aq), ac_aq = dot(ac, aq), ab_bq = dot(ab, bq), ac_bq = dot(ac, bq), ab_cq = dot(ab, cq), ac_cq = dot(ac, cq);
+  const double weight_a = ab_bq * ac_cq - ab_cq * ac_bq, weight_b = ab_cq * ac_aq - ab_aq * ac_cq,
+               weight_c = ab_aq * ac_bq - ab_bq * ac_aq, sum = weight_a + weight_b + weight_c;
+  const auto in_interior = [&]() -> Point_on_triangle {
+    return {a + (weight_b / sum) * ab + (weight_c / sum) * ac, Triangle_part::interior}; };
+  // Most often: one branch for that is foretold better than seven.
+  if (int(weight_a > 0) & int(weight_b > 0) & int(weight_c > 0)) return in_interior();
+
   if (ab_aq <= 0 && ac_aq <= 0) return {a, Triangle_part::vertex_a};
-
-  const Vector3 bq = q - b;
-  const double ab_bq = dot(ab, bq), ac_bq = dot(ac, bq);
   if (ab_bq >= 0 && ac_bq <= ab_bq) return {b, Triangle_part::vertex_b};
-
-  const double weight_c = ab_aq * ac_bq - ab_bq * ac_aq;
   if (weight_c <= 0 && ab_aq >= 0 && ab_bq <= 0)
     return {point_at_fraction(a, ab, ab_aq, ab_aq - ab_bq), Triangle_part::edge_ab};
-
-  const Vector3 cq = q - c;
-  const double ab_cq = dot(ab, cq), ac_cq = dot(ac, cq);
   if (ac_cq >= 0 && ab_cq <= ac_cq) return {c, Triangle_part::vertex_c};
-
-  const double weight_b = ab_cq * ac_aq - ab_aq * ac_cq;
   if (weight_b <= 0 && ac_aq >= 0 && ac_cq <= 0)
     return {point_at_fraction(a, ac, ac_aq, ac_aq - ac_cq), Triangle_part::edge_ca};
-
-  const double weight_a = ab_bq * ac_cq - ab_cq * ac_bq;
   const double from_b = ac_bq - ab_bq, from_c = ab_cq - ac_cq;
   if (weight_a <= 0 && from_b >= 0 && from_c >= 0)
     return {point_at_fraction(b, c - b, from_b, from_b + from_c), Triangle_part::edge_bc};
-
-  const double sum = weight_a + weight_b + weight_c;
-  if (!(sum > 0)) return {a, Triangle_part::vertex_a};
-  return {a + (weight_b / sum) * ab + (weight_c / sum) * ac, Triangle_part::interior};
+  return sum > 0 ? in_interior() : Point_on_triangle{a, Triangle_part::vertex_a};
 }
 
 } // namespace internal

@@ -207,6 +207,13 @@ public:
   double arc_length(Index curve_end) const { return curve_edges_[curve_end >> 1].arc_length[curve_end & 1]; }
 
   double squared_edge_length(Index h) const { return squared_distance(position_[origin(h)], position_[target(h)]); }
+  // Of the shortest edge of face f.
+  double least_squared_edge_length(Index f) const
+  {
+    const auto& v = faces_[f].vertex;
+    const Vector3 &a = position_[v[0]], &b = position_[v[1]], &c = position_[v[2]];
+    return (std::min)((std::min)(squared_distance(a, b), squared_distance(b, c)), squared_distance(c, a));
+  }
   // Twice the area times the unit normal of face f.
   Vector3 cross_product(Index f) const
   {

@@ -46,7 +46,7 @@ std::vector<Neck_vertex> find_necks(const Remeshing_mesh& mesh, double target_le
   const double longest = THIN_RING * target_length;
   std::vector<Neck_vertex> result;
   scan_into<ConcurrencyTag>(result, mesh.number_of_face_slots(), [&](std::size_t f, std::vector<Neck_vertex>& out) {
-    if (!mesh.is_face(Index(f))) return;
+    if (!mesh.is_face(Index(f)) || !(mesh.least_squared_edge_length(Index(f)) < longest * longest)) return;
     for (Index h = Index(4 * f); h < Index(4 * f) + 3; ++h) {
       const Index opposite = mesh.opposite(h);
       if (opposite < h || !(mesh.squared_edge_length(h) < longest * longest)) continue;
