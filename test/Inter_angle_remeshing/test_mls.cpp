@@ -17,6 +17,7 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/convex_hull_3.h>
 
 #include "check.h"
 #include "meshes.h"
@@ -834,6 +835,67 @@ void fillets_of_a_few_wide_facets_leave_flats_flat()
     }
 }
 
+// Plane cuts through a ball, with rims of less than 40 degrees, which are no features: the quadrangles that a cut leaves told the normals
+// at its rim, and it bulged. Now it stays plane, and its rim is a crease.
+void cuts_through_what_curves_stay_plane()
+{
+  for(const int levels : {3, 4})
+    for(const double height : {.8, .9, .95})
+    {
+      const Mesh input = models::cut_off(to_mesh<Mesh>(sphere(levels)), Kernel::Plane_3(0, 0, 1, -height));
+      const double mean = mean_edge_length(input), radius = std::sqrt(1 - height * height);
+      for(const double part : {1., .4, .2})
+      {
+        const std::string name = std::to_string(levels) + ", " + std::to_string(height) + " at " + std::to_string(part) + ": ";
+        Mesh m = input;
+        const IAR::Remeshing_report report = IAR::isotropic_remeshing(part * mean, m);
+        CHECK_MESSAGE(report.features == IAR::Remeshing_report::Features::none, name << "features");
+        double off = 0;
+        for(const auto v : m.vertices())
+          if(const Point& p = m.point(v); p.z() > 0 && std::hypot(p.x(), p.y()) < .8 * radius)
+            off = (std::max)(off, std::abs(p.z() - height));
+        CHECK_MESSAGE(off < .06 * mean, name << off / mean);
+        const double far_off = invariants::surface_distance(input, m).hausdorff();
+        CHECK_MESSAGE(far_off < .25 * part * mean + .04 * mean, name << far_off / mean);
+      }
+    }
+}
+
+// The convex hull of balls at the corners of a box, whose points lie along spirals: irregular facets join its sides, of which some bulged
+// by a third or a tenth of the radius. The fewer points the balls have, the less tell the facets apart.
+void sides_beside_irregular_fillets_bulge_little()
+{
+  struct Ball { int points; double radius, bulge; };
+  const std::array<double, 3> half = {1, .8, .6};
+  for(const auto& [n, radius, bulge] : {Ball{60, .3, .2}, Ball{150, .6, .075}})
+  {
+    std::vector<Point> points;
+    for(int corner = 0; corner < 8; ++corner)
+      for(int i = 0; i < n; ++i)
+      {
+        const double z = 1 - (2 * i + 1.) / n, angle = i * (3 - std::sqrt(5.)) * CGAL_PI, r = std::sqrt(1 - z * z);
+        const auto side = [&](int k) { return (corner >> k & 1 ? 1 : -1) * half[std::size_t(k)]; };
+        points.push_back(Point(side(0), side(1), side(2)) + radius * Vector(r * std::cos(angle), r * std::sin(angle), z));
+      }
+    Mesh input;
+    CGAL::convex_hull_3(points.begin(), points.end(), input);
+    for(const double length : {.2, .1})
+    {
+      Mesh m = input;
+      IAR::isotropic_remeshing(length, m);
+      double off = 0;
+      for(const auto v : m.vertices())
+        for(int k = 0; k < 3; ++k)
+        {
+          const auto is_inside = [&](int axis) { return std::abs(m.point(v)[axis]) < .8 * half[std::size_t(axis)]; };
+          if(is_inside((k + 1) % 3) && is_inside((k + 2) % 3))
+            off = (std::max)(off, std::abs(std::abs(m.point(v)[k]) - half[std::size_t(k)] - radius));
+        }
+      CHECK_MESSAGE(off < bulge * radius, n << " at " << length << ": " << off / radius);
+    }
+  }
+}
+
 // A sheet bent twice, by 90 degrees each, around this radius, in so many facets; its three flats are 1 wide and 2 long.
 Soup bent_sheet(double r, std::size_t facets)
 {
@@ -1198,6 +1260,8 @@ int main()
   a_coarse_mesh_becomes_a_fine_surface();
   fillets_leave_flats_flat();
   fillets_of_a_few_wide_facets_leave_flats_flat();
+  cuts_through_what_curves_stay_plane();
+  sides_beside_irregular_fillets_bulge_little();
   the_border_of_a_flat_is_straight();
   planes_that_meet_stay_planes();
   disks_within_marked_rims_stay_flat();

@@ -35,18 +35,28 @@ public:
   // Whether the face of h is part of a flat.
   bool is_flat(Index h) const { return polygons_[h >> 2] >= 0 && is_flat_polygon_[polygons_[h >> 2]] != 0; }
 
-  // What the polygons say of the normal of a sector, see Mls_surface_fit; not of unit length, zero where they say nothing.
+  // What the polygons say of the normal of a sector, see Mls_surface_fit; not of unit length, zero where they say nothing. Tiny ones beside
+  // a large one say nothing: cuts leave quadrangles around a flat.
   Vector3 normal(const std::vector<Index>& sector) const
   {
-    Vector3 result = normal_of_flats(sector);
-    if (!(length(result) > 0)) result = normal_at_tangent_rims(sector);
+    double least = 0;
+    for (const Index h : sector) least = (std::max)(least, least_area_beside(polygons_[h >> 2]));
+    Vector3 result = normal_of_flats(sector, least);
+    if (!(length(result) > 0)) result = normal_at_tangent_rims(sector, least);
     if (!(length(result) > 0)) result = normal_of_uneven_sector(sector);
     return result;
   }
 
 private:
-  // Facets around a vertex are uneven where one has so many times the area of another.
-  static constexpr double UNEVEN = 32;
+  // Facets around a vertex are uneven where one has so many times the area of another, or so many, if it is a polygon.
+  static constexpr double UNEVEN = 32, UNEVEN_POLYGON = 8;
+
+  double least_area_beside(Index polygon) const
+  {
+    if (polygon < 0) return 0;
+    return length(polygons_.cross_product(polygon)) /
+           (polygons_.is_exact(polygon) || polygons_.has_many_faces(polygon) ? UNEVEN_POLYGON : UNEVEN);
+  }
 
   // The angle from the polygon of h to the one behind it, in radians; negative where they meet in a groove.
   double turn_over(Index h) const
@@ -93,7 +103,8 @@ private:
     return false;
   }
 
-  // A polygon in one plane is a flat if what curves joins it tangentially on all its sides, but for a tenth of their length and for features.
+  // A polygon in one plane is a flat if what curves joins it tangentially on all its sides, but for a tenth of their length and for
+  // features.
   template <class IsFeature>
   void find_flats(const IsFeature& is_feature)
   {
@@ -117,30 +128,46 @@ private:
       is_flat_polygon_[i] = rims[i].tangent > 0 && rims[i].tangent >= LEAST_SHARE * rims[i].length;
   }
 
-  // The normal, not of unit length, of the flats of a sector, the larger ones counting more; zero where there is none.
-  Vector3 normal_of_flats(const std::vector<Index>& sector) const
+  // The polygon of five faces or more that the face of h is a part of; negative: none.
+  Index polygon_of(Index h) const
+  {
+    const Index polygon = polygons_[h >> 2];
+    return polygon >= 0 && polygons_.has_many_faces(polygon) ? polygon : Index(-1);
+  }
+  // Twice the area times the unit normal of that polygon, or of the face.
+  Vector3 facet(Index h) const
+  {
+    const Index polygon = polygon_of(h);
+    return polygon >= 0 ? polygons_.cross_product(polygon) : surface_.cross_product(h >> 2);
+  }
+
+  // The normal, not of unit length, of the flats of a sector, the larger ones counting more; zero where there is none. Twice the area of
+  // each is at least this.
+  Vector3 normal_of_flats(const std::vector<Index>& sector, double least) const
   {
     Vector3 sum;
     for (auto h = sector.begin(); h != sector.end(); ++h) {
       const Index polygon = polygons_[*h >> 2];
       if (!is_flat(*h) || std::any_of(sector.begin(), h, [&](Index before) { return polygons_[before >> 2] == polygon; })) continue;
       const Vector3& c = polygons_.cross_product(polygon);
-      sum += length(c) * c;
+      if (length(c) >= least) sum += length(c) * c;
     }
     return sum;
   }
 
   // The normal, not of unit length, of the facets of a sector behind whose edges begins what curves more, tangent to them, as at the ends
-  // of a cylinder between two fillets: the shorter these edges are, the nearer it is to a facet's. Zero where there are less than two edges.
-  Vector3 normal_at_tangent_rims(const std::vector<Index>& sector) const
+  // of a cylinder between two fillets: the shorter these edges are, the nearer it is to a facet's. Zero where there are less than two
+  // edges. Twice the area of each facet is at least this.
+  Vector3 normal_at_tangent_rims(const std::vector<Index>& sector, double least) const
   {
     Vector3 sum;
     int rims = 0;
     for (const Index h : sector)
       for (const Index e : {h, surface_.prev(h)}) {
         if ((tangent_rims_[e >> 2] >> (e & 3) & 1) == 0) continue;
-        ++rims;
         const Vector3& c = polygons_.cross_product(polygons_[e >> 2]);
+        if (length(c) < least) continue;
+        ++rims;
         sum += (1 / (length(c) * length(surface_.position(surface_.target(e)) - surface_.position(surface_.origin(e))))) * c;
       }
     return rims > 1 ? sum : Vector3();
@@ -151,25 +178,21 @@ private:
   // other faces, are uneven, the large ones say what the normal is, which is not of unit length; else it is zero.
   Vector3 normal_of_uneven_sector(const std::vector<Index>& sector) const
   {
-    double least = std::numeric_limits<double>::infinity(), most = 0;
+    double least = std::numeric_limits<double>::infinity(), bound = 0;
     Vector3 sum;
-    const auto polygon_of = [&](Index h) {
-      const Index polygon = polygons_[h >> 2];
-      return polygon >= 0 && polygons_.has_many_faces(polygon) ? polygon : Index(-1);
-    };
     Index before = polygon_of(sector.back());
     for (const Index h : sector) {
       const Index polygon = polygon_of(h);
       if (polygon >= 0 && polygon == before) continue;
       before = polygon;
-      const Vector3 c = polygon >= 0 ? polygons_.cross_product(polygon) : surface_.cross_product(h >> 2);
+      const Vector3 c = facet(h);
       const double area = length(c);
       if (!(area > 0)) continue;
       least = (std::min)(least, area);
-      most = (std::max)(most, area);
+      bound = (std::max)(bound, area / (polygon >= 0 && polygons_.is_exact(polygon) ? UNEVEN_POLYGON : UNEVEN));
       sum += area * c;
     }
-    return most > UNEVEN * least ? sum : Vector3();
+    return bound > least ? sum : Vector3();
   }
 
   const Reference_surface& surface_;

@@ -58,8 +58,8 @@ public:
   using Barycentric = std::array<double, 3>;
 
   // Of the faces that are larger than `least_size`; on the other ones, and on those of which `is_flat` says so, whose size is 0, the
-  // surface is the triangle. Features are the border, constrained edges, those of the half-edges `creases`, and edges where two wide planar
-  // polygons meet. Unless it `keeps_apart`, the surface may cross what is close by.
+  // surface is the triangle. Features are the border, constrained edges, those of the half-edges `creases`, edges where two wide planar
+  // polygons meet, and the rims of plane cuts. Unless it `keeps_apart`, the surface may cross what is close by.
   CGAL_INTER_ANGLE_REMESHING_INLINE
   Mls_surface(const Reference_surface& surface, const std::vector<Index>& creases, double least_size = -1,
               const std::vector<char>* is_flat = nullptr, bool keeps_apart = true);

@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/internal/curves/curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/Close_patches.h>
+#include <CGAL/Inter_angle_remeshing/internal/surface/Cut_rims.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/Mls_flats.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/Mls_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/Planar_polygons.h>
@@ -41,6 +42,7 @@ public:
       const auto is_feature = [this](Index h) { return mls_.is_feature(h); };
       polygons = Planar_polygons(surface_, is_feature);
       find_creases_between_planes(polygons);
+      for (const Index h : Cut_rims(surface_, polygons).find()) mark(h);
       flats_.emplace(surface_, polygons, is_feature);
     }
     find_tangents();
@@ -96,8 +98,8 @@ private:
     }
   }
 
-  // Where two planes meet that have been designed as such, the surface has a crease, however blunt: from a dozen times the angle on to which
-  // polygons are plane.
+  // Where two planes meet that have been designed as such, the surface has a crease, however blunt: from a dozen times the angle on to
+  // which polygons are plane.
   void find_creases_between_planes(const Planar_polygons& polygons)
   {
     constexpr double CREASE_COSINE = 0.99985;        // 1 degree
@@ -269,7 +271,8 @@ private:
   void straighten(Index h)
   {
     mls_.faces_[h >> 2].features |= Mls_surface::STRAIGHT_EDGE << (h & 3);
-    if (surface_.opposite(h) >= 0) mls_.faces_[surface_.opposite(h) >> 2].features |= Mls_surface::STRAIGHT_EDGE << (surface_.opposite(h) & 3);
+    const Index o = surface_.opposite(h);
+    if (o >= 0) mls_.faces_[o >> 2].features |= Mls_surface::STRAIGHT_EDGE << (o & 3);
   }
 
   void flatten_edge(Index h)

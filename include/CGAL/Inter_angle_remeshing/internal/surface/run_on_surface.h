@@ -21,8 +21,8 @@ namespace internal {
 
 using Run_on_surface = std::function<Remeshing_report(const Projection&)>;
 
-// Calls `run` with the projection onto the surface of the mesh itself, the one that the recipe says. A wanted number of faces is one of that
-// surface: the target length follows its area.
+// Calls `run` with the projection onto the surface of the mesh itself, the one that the recipe says. A wanted number of faces is one of
+// that surface: the target length follows its area.
 CGAL_INTER_ANGLE_REMESHING_INLINE
 Remeshing_report run_on_own_surface(Remeshing_mesh& mesh, const Recipe& recipe, const Input_kind& kind, Input_curves& curves,
                                     Target& target, const Run_on_surface& run);
