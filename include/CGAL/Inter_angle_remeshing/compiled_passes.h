@@ -10,9 +10,9 @@
 \ingroup PkgInterAngleRemeshingRef
 
 The one source file that compiles the passes for a program of many. Where `CGAL_INTER_ANGLE_REMESHING_COMPILED` is defined
-`isotropic_remeshing.h` leaves their definitions out, and those that find features, so that it compiles in a third of the time; a source
-file that includes nothing but this header compiles them once, with the same options. CMake's target
-`CGAL::Inter_angle_remeshing_compiled` does both.
+`isotropic_remeshing.h` leaves their definitions out, and those that find features and fit surfaces, so that it compiles in a
+third of the time; a source file that includes nothing but this header compiles them once, with the same options. CMake's
+target `CGAL::Inter_angle_remeshing_compiled` does both.
 */
 
 #ifndef CGAL_INTER_ANGLE_REMESHING_COMPILED
