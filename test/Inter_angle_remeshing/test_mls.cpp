@@ -839,26 +839,32 @@ void fillets_of_a_few_wide_facets_leave_flats_flat()
 // at its rim, and it bulged. Now it stays plane, and its rim is a crease.
 void cuts_through_what_curves_stay_plane()
 {
-  for(const int levels : {3, 4})
-    for(const double height : {.8, .9, .95})
-    {
-      const Mesh input = models::cut_off(to_mesh<Mesh>(sphere(levels)), Kernel::Plane_3(0, 0, 1, -height));
-      const double mean = mean_edge_length(input), radius = std::sqrt(1 - height * height);
-      for(const double part : {1., .4, .2})
+  for(const Vector& normal : {Vector(0, 0, 1), Vector(1, 2, 3) / std::sqrt(14.)})
+    for(const int levels : {3, 4})
+      for(const double height : {.8, .9, .95})
       {
-        const std::string name = std::to_string(levels) + ", " + std::to_string(height) + " at " + std::to_string(part) + ": ";
-        Mesh m = input;
-        const IAR::Remeshing_report report = IAR::isotropic_remeshing(part * mean, m);
-        CHECK_MESSAGE(report.features == IAR::Remeshing_report::Features::none, name << "features");
-        double off = 0;
-        for(const auto v : m.vertices())
-          if(const Point& p = m.point(v); p.z() > 0 && std::hypot(p.x(), p.y()) < .8 * radius)
-            off = (std::max)(off, std::abs(p.z() - height));
-        CHECK_MESSAGE(off < .06 * mean, name << off / mean);
-        const double far_off = invariants::surface_distance(input, m).hausdorff();
-        CHECK_MESSAGE(far_off < .25 * part * mean + .04 * mean, name << far_off / mean);
+        const Kernel::Plane_3 plane(CGAL::ORIGIN + height * normal, normal);
+        const Mesh input = models::cut_off(to_mesh<Mesh>(sphere(levels)), plane);
+        const double mean = mean_edge_length(input), radius = std::sqrt(1 - height * height);
+        for(const double part : {1., .4, .2})
+        {
+          const std::string name = std::to_string(normal.x()) + ", " + std::to_string(levels) + ", " + std::to_string(height) + " at " +
+                                   std::to_string(part) + ": ";
+          Mesh m = input;
+          const IAR::Remeshing_report report = IAR::isotropic_remeshing(part * mean, m);
+          CHECK_MESSAGE(report.features == IAR::Remeshing_report::Features::none, name << "features");
+          double off = 0;
+          for(const auto v : m.vertices())
+          {
+            const Vector p = m.point(v) - CGAL::ORIGIN;
+            if(const double above = p * normal; above > 0 && std::sqrt((p - above * normal).squared_length()) < .8 * radius)
+              off = (std::max)(off, std::abs(above - height));
+          }
+          CHECK_MESSAGE(off < .06 * mean, name << off / mean);
+          const double far_off = invariants::surface_distance(input, m).hausdorff();
+          CHECK_MESSAGE(far_off < .25 * part * mean + .04 * mean, name << far_off / mean);
+        }
       }
-    }
 }
 
 // The convex hull of balls at the corners of a box, whose points lie along spirals: irregular facets join its sides, of which some bulged

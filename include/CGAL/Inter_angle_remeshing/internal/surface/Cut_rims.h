@@ -78,21 +78,24 @@ private:
     return std::atan2(length(cross(n, m)), dot(n, m));
   }
 
+  // The same, 0 at the border, inside of a polygon, and where that polygon lies across the edge.
+  double turn_over(Index e, Index polygon) const
+  {
+    const Index across = surface_.opposite(e), beyond = across >= 0 ? polygons_[across >> 2] : Index(-1);
+    return beyond < 0 || beyond == polygon || beyond == polygons_[e >> 2] ? 0. : turn_over(e);
+  }
+
   // Over the other edges of the face of h, or, where one is inside of a polygon, of the next face of that; not to what lies across h.
   double largest_turn_behind(Index h) const
   {
     const Index before = polygons_[surface_.opposite(h) >> 2];
     double result = 0;
-    const auto look_at = [&](Index e) {
-      const Index across = surface_.opposite(e), polygon = across >= 0 ? polygons_[across >> 2] : Index(-1);
-      if (polygon < 0 || polygon == before) return false;
-      if (polygon == polygons_[e >> 2]) return true;
-      result = (std::max)(result, turn_over(e));
-      return false;
-    };
-    for (const Index e : {Reference_surface::next(h), surface_.prev(h)})
-      if (look_at(e))
-        for (const Index k : {Reference_surface::next(surface_.opposite(e)), surface_.prev(surface_.opposite(e))}) look_at(k);
+    for (const Index e : {Reference_surface::next(h), surface_.prev(h)}) {
+      const Index across = surface_.opposite(e);
+      if (across >= 0 && polygons_[across >> 2] == polygons_[h >> 2])
+        result = (std::max)({result, turn_over(Reference_surface::next(across), before), turn_over(surface_.prev(across), before)});
+      else result = (std::max)(result, turn_over(e, before));
+    }
     return result;
   }
 
