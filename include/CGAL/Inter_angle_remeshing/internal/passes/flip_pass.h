@@ -70,6 +70,9 @@ inline bool is_flip_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
   const Remeshing_mesh::Index v[4] = {mesh.origin(h), mesh.origin(o), mesh.apex(h), mesh.apex(o)};
   const Vector3 &a = mesh.position(v[0]), &b = mesh.position(v[1]), &c = mesh.position(v[2]), &d = mesh.position(v[3]);
   if (std::none_of(v, v + 4, [&](Remeshing_mesh::Index u) { return mesh.is_on_curve(u); })) return true;
+  // An edge that leads across a strip is not to make way for one along its middle, with flat faces on both sides.
+  constexpr double LONGER = 1.3;
+  if (mesh.is_on_curve(v[0]) && mesh.is_on_curve(v[1]) && squared_distance(c, d) > LONGER * LONGER * squared_distance(a, b)) return false;
   // At an end the flip leaves one face where there were two; between two curve edges it may be too wide.
   const auto is_wide = [&](const Vector3& p, const Vector3& q, const Vector3& r, Remeshing_mesh::Index k) {
     return mesh.is_on_curve_edge(k) && corner_cosine(p, q, r) < CURVE_CORNER_COSINE;
@@ -133,13 +136,26 @@ inline void find_paying_flips(const Remeshing_mesh& mesh, Remeshing_mesh::Index 
     });
 }
 
+// Whether a flip in a strip one face wide, between curves, makes the edge across it longer.
+inline bool leans_over_by_flip(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  if (mesh.is_on_curve_edge(h)) return false;
+  const Remeshing_mesh::Index o = mesh.opposite(h), a = mesh.origin(h), b = mesh.origin(o), c = mesh.apex(h), d = mesh.apex(o);
+  return mesh.is_on_curve(a) && mesh.is_on_curve(b) && mesh.is_on_curve(c) && mesh.is_on_curve(d) &&
+         squared_distance(mesh.position(c), mesh.position(d)) > mesh.squared_edge_length(h);
+}
+
 // Flips the edges of `candidates` that pay. Returns the number of flips. The sectors have been measured.
+//
+// In a strip of one face's width two flips may serve the valences alike, and no sweep mends the lean that one of them leaves: those that
+// shorten the edges across it come first.
 template <class ConcurrencyTag>
 std::size_t flip_pass(Remeshing_context& context, std::vector<Remeshing_mesh::Index>& candidates)
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = context.mesh;
   std::size_t flips = 0;
+  std::stable_partition(candidates.begin(), candidates.end(), [&](Index h) { return !leans_over_by_flip(mesh, h); });
   evaluate_then_apply<ConcurrencyTag>(mesh, candidates,
     [&](Index h) -> bool {
       return !mesh.is_on_curve_edge(h) && flip_gain(mesh, h) < 0 && is_flip_allowed(context, h, false);
