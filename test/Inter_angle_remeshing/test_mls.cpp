@@ -948,6 +948,69 @@ void the_border_of_a_flat_is_straight()
     }
 }
 
+// The star-shaped sheet in the plane z = 0 inside of an outline: a fan around its middle.
+Mesh sheet(const Profile& outline)
+{
+  Soup soup;
+  std::array<double, 3> middle = {0, 0, 0};
+  for(const auto& [x, y] : outline)
+  {
+    soup.points.push_back({x, y, 0});
+    middle[0] += x / double(outline.size());
+    middle[1] += y / double(outline.size());
+  }
+  for(std::size_t i = 0; i < outline.size(); ++i) soup.faces.push_back({i, (i + 1) % outline.size(), outline.size()});
+  soup.points.push_back(middle);
+  return to_mesh<Mesh>(soup);
+}
+
+Profile rounded_rectangle(double half_width, double half_height, double radius, int chords)
+{
+  const double x = half_width - radius, y = half_height - radius;
+  return joined(joined(arc(x, y, radius, 0, .5, chords), arc(-x, y, radius, .5, 1, chords)),
+                joined(arc(-x, -y, radius, 1, 1.5, chords), arc(x, -y, radius, 1.5, 2, chords)));
+}
+
+// The chords of an arc were taken to go on along the straight edge beside it, and a turn of the outline, alone, for a part of an arc: flat
+// sheets got bulging outlines where they were refined. Arcs and circles, however their vertices are spaced, are to be round all the same.
+void straight_borders_beside_arcs_stay_straight()
+{
+  const auto check_border = [](const Profile& outline, double largest_sagitta, const std::string& name)
+  {
+    const Mesh input = sheet(outline);
+    for(const double length : {.03, .1})
+    {
+      Mesh m = input;
+      IAR::isotropic_remeshing(length, m);
+      const double off = invariants::distance(invariants::border(input), invariants::border(m));
+      CHECK_MESSAGE(off < .06 * length + 1.3 * largest_sagitta, name << " at " << length << ": " << off / length);
+    }
+  };
+  for(const int chords : {2, 3, 8, 16})
+  {
+    const auto sagitta = [&](double radius) { return radius * (1 - std::cos(CGAL_PI / 4 / chords)); };
+    check_border(rounded_rectangle(2, 1, .2, chords), sagitta(.2), "rounded rectangle of " + std::to_string(chords));
+    check_border(rounded_rectangle(2, .5, .5 - 1e-3, chords), sagitta(.5), "stadium of " + std::to_string(chords));
+  }
+  for(const double y : {.2, .5, .8}) check_border({{-2, -1}, {2, -1}, {2, 1}, {0, 1 + y}, {-2, 1}}, 0, "gable of " + std::to_string(y));
+
+  for(const double spacing : {1., 2., 4.})
+  {
+    Profile circle;
+    for(int i = 0; i < 24; ++i)
+    {
+      const double angle = CGAL_PI / 12 * (i / 2 * 2 + i % 2 * 2 / (1 + spacing));
+      circle.push_back({std::cos(angle), std::sin(angle)});
+    }
+    Mesh m = sheet(circle);
+    IAR::isotropic_remeshing(.03, m);
+    double off = 0;
+    for(const auto v : m.vertices())
+      if(m.is_border(v)) off = (std::max)(off, distance_from_sphere(m.point(v)));
+    CHECK_MESSAGE(off < .002, "circle: " << off);
+  }
+}
+
 // A dam between two plains: flats and slopes that meet at this angle along lines of edges.
 Soup dam(double degrees)
 {
@@ -1269,6 +1332,7 @@ int main()
   cuts_through_what_curves_stay_plane();
   sides_beside_irregular_fillets_bulge_little();
   the_border_of_a_flat_is_straight();
+  straight_borders_beside_arcs_stay_straight();
   planes_that_meet_stay_planes();
   disks_within_marked_rims_stay_flat();
   long_facets_stay_straight();

@@ -5,8 +5,8 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_SURFACE_MLS_SURFACE_IMPL_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_SURFACE_MLS_SURFACE_IMPL_H
 
-#include <CGAL/Inter_angle_remeshing/internal/curves/curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/Close_patches.h>
+#include <CGAL/Inter_angle_remeshing/internal/surface/Curve_tangents.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/Cut_rims.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/Mls_flats.h>
 #include <CGAL/Inter_angle_remeshing/internal/surface/Mls_surface.h>
@@ -113,40 +113,24 @@ private:
 
   bool is_flat(Index h) const { return flats_ && flats_->is_flat(h); }
 
-  // The tangent at a vertex between two feature edges where the curve has no corner, the nearer one counting more; but where one of them is
-  // at a flat and the other is not, it is that one.
+  // Beside features that are far from curved faces, others may lie that are not.
   void find_tangents()
   {
-    struct Arms { int count = 0; Vector3 direction[2]; bool is_at_flat[2]; };
-    std::vector<Arms> arms(surface_.number_of_vertices());
+    Curve_tangents tangents(surface_);
     for (Index f = 0; f < Index(mls_.faces_.size()); ++f)
-      for (int k = 0; k < 3; ++k) {
-        const Index h = 4 * f + k, o = surface_.opposite(h);
-        if (mls_.faces_[f].features == 0) break;
-        if (!mls_.is_feature(h) || (o >= 0 && o < h)) continue;
-        const Index ends[2] = {surface_.origin(h), surface_.target(h)};
-        const bool is_at_flat = is_flat(h) || (o >= 0 && is_flat(o));
-        for (int e = 0; e < 2; ++e) {
-          Arms& a = arms[ends[e]];
-          if (a.count < 2) {
-            a.direction[a.count] = surface_.position(ends[1 - e]) - surface_.position(ends[e]);
-            a.is_at_flat[a.count] = is_at_flat;
-          }
-          ++a.count;
-        }
+      for (Index h = 4 * f; h < 4 * f + 3; ++h) {
+        const Index o = surface_.opposite(h);
+        if ((mls_.is_feature(h) || is_constrained(h) || o < 0) && !(o >= 0 && o < h))
+          tangents.add_edge(h, is_flat(h) || (o >= 0 && is_flat(o)));
       }
-    for (const Index f : curved_)
-      for (int k = 0; k < 3; ++k)
-        if (arms[surface_.origin(4 * f + k)].count > 0) mls_.faces_[f].features |= Mls_surface::FEATURE_VERTEX << k;
     mls_.tangents_.assign(surface_.number_of_vertices(), Vector3());
-    for (std::size_t v = 0; v < arms.size(); ++v) {
-      const Vector3 &in = arms[v].direction[0], &out = arms[v].direction[1];
-      if (arms[v].count != 2 || !is_cosine_at_least(out, -1. * in, CORNER_COSINE)) continue;
-      const double out_part = arms[v].is_at_flat[0] && !arms[v].is_at_flat[1] ? 0 : 1 / squared_length(out),
-                   in_part = arms[v].is_at_flat[1] && !arms[v].is_at_flat[0] ? 0 : 1 / squared_length(in);
-      const Vector3 t = out_part * out - in_part * in;
-      mls_.tangents_[v] = (1 / length(t)) * t;
-    }
+    for (const Index f : curved_)
+      for (int k = 0; k < 3; ++k) {
+        const Index v = surface_.origin(4 * f + k);
+        if (!tangents.is_on_curve(v)) continue;
+        mls_.faces_[f].features |= Mls_surface::FEATURE_VERTEX << k;
+        mls_.tangents_[v] = tangents.tangent(v);
+      }
   }
 
   void fit_sectors()
