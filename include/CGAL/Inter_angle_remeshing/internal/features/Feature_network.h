@@ -30,15 +30,20 @@ public:
   {}
 
   // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet; those of a part that was
-  // remeshed coarsely again and again bend more often. What leads to a free end is dropped.
+  // remeshed coarsely, of few edges each, meet and bend more often. What leads to a free end is dropped.
   bool is_network()
   {
     const Shape shape = look();
-    return shape.is_network && (double(shape.bent) <= LARGEST_BENT_SHARE * double(shape.inner) ||
-                                double(shape.bent + shape.others) <= LARGEST_UNEVEN_SHARE * double(shape.inner + shape.others));
+    return shape.runs_through && shape.meeting_share() <= LARGEST_COARSE_MEETING_SHARE &&
+           (double(shape.bent) <= LARGEST_BENT_SHARE * double(shape.inner) ||
+            double(shape.bent + shape.others) <= LARGEST_UNEVEN_SHARE * double(shape.inner + shape.others));
   }
   // The same where curves may bend, as along fillets: paths of edges join them where they meet.
-  bool is_bent() { return look().is_network; }
+  bool is_bent()
+  {
+    const Shape shape = look();
+    return shape.runs_through && shape.meeting_share() <= LARGEST_MEETING_SHARE;
+  }
   // Whether hardly anything else is left out when only curves are kept that end nowhere, hardly bend, and seldom meet. Short ones between
   // others that run on smoothly, and components that are a tangle, are dropped.
   bool is_smooth()
@@ -55,13 +60,15 @@ public:
 private:
   struct Shape
   {
-    bool is_network;
+    bool runs_through;                   // whether most is left without what leads to a free end
     std::size_t inner, bent, others;     // vertices of two edges, those of them where these turn, and all others
+
+    double meeting_share() const { return double(others) / double(inner + others); }
   };
 
   static constexpr std::size_t LEAST_EDGES = 12;       // the ring of fewer turns by 30 degrees at each
   static constexpr double LEAST_NETWORK_SHARE = 0.7, LARGEST_BENT_SHARE = 0.2, LARGEST_MEETING_SHARE = 0.4,
-                          LARGEST_UNEVEN_SHARE = 0.33;
+                          LARGEST_COARSE_MEETING_SHARE = 0.55, LARGEST_UNEVEN_SHARE = 0.33;
   // Of a network, what is part of smooth curves; of the vertices of such, those of two edges where these turn, and those of more, of which
   // none has more than so many. Rungs between two curves have at most so many edges.
   static constexpr double LEAST_SMOOTH_SHARE = 0.9, SMOOTH_BENT_SHARE = 0.02, SMOOTH_MEETING_SHARE = 0.2;
@@ -78,8 +85,7 @@ private:
       ++(graph_.degree(v) == 2 ? inner : others);
       bent += graph_.degree(v) == 2 && graph_.bends(v);
     }
-    return {graph_.length_left() >= LEAST_NETWORK_SHARE * length_of_all && inner >= LEAST_EDGES &&
-            double(others) <= LARGEST_MEETING_SHARE * double(inner + others), inner, bent, others};
+    return {graph_.length_left() >= LEAST_NETWORK_SHARE * length_of_all && inner >= LEAST_EDGES, inner, bent, others};
   }
 
   // Drops short chains both of whose ends lie on other curves that run on there.

@@ -72,7 +72,8 @@ inline bool is_flip_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
   if (std::none_of(v, v + 4, [&](Remeshing_mesh::Index u) { return mesh.is_on_curve(u); })) return true;
   // An edge that leads across a strip is not to make way for one along its middle, with flat faces on both sides.
   constexpr double LONGER = 1.3;
-  if (mesh.is_on_curve(v[0]) && mesh.is_on_curve(v[1]) && squared_distance(c, d) > LONGER * LONGER * squared_distance(a, b)) return false;
+  if (mesh.is_on_curve(v[0]) && mesh.is_on_curve(v[1]) && !mesh.is_on_curve(v[2]) && !mesh.is_on_curve(v[3]) &&
+      squared_distance(c, d) > LONGER * LONGER * squared_distance(a, b)) return false;
   // At an end the flip leaves one face where there were two; between two curve edges it may be too wide.
   const auto is_wide = [&](const Vector3& p, const Vector3& q, const Vector3& r, Remeshing_mesh::Index k) {
     return mesh.is_on_curve_edge(k) && corner_cosine(p, q, r) < CURVE_CORNER_COSINE;
