@@ -29,13 +29,15 @@ public:
     : graph_(graph)
   {}
 
-  // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet; those of a part that was
-  // remeshed coarsely, of few edges each, meet and bend more often. What leads to a free end is dropped.
+  // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet. Those of a part that was remeshed
+  // coarsely meet more often where they have few edges each, or bend, if this was done again and again. What leads to a free end is dropped.
   bool is_network()
   {
     const Shape shape = look();
-    return shape.runs_through && shape.meeting_share() <= LARGEST_COARSE_MEETING_SHARE &&
-           (double(shape.bent) <= LARGEST_BENT_SHARE * double(shape.inner) ||
+    const double meeting = shape.meeting_share(), bent = double(shape.bent) / double(shape.inner);
+    return shape.runs_through &&
+           ((meeting <= LARGEST_MEETING_SHARE && bent <= LARGEST_BENT_SHARE) ||
+            (meeting <= LARGEST_COARSE_MEETING_SHARE && bent <= LARGEST_COARSE_BENT_SHARE) ||
             double(shape.bent + shape.others) <= LARGEST_UNEVEN_SHARE * double(shape.inner + shape.others));
   }
   // The same where curves may bend, as along fillets: paths of edges join them where they meet.
@@ -68,7 +70,7 @@ private:
 
   static constexpr std::size_t LEAST_EDGES = 12;       // the ring of fewer turns by 30 degrees at each
   static constexpr double LEAST_NETWORK_SHARE = 0.7, LARGEST_BENT_SHARE = 0.2, LARGEST_MEETING_SHARE = 0.4,
-                          LARGEST_COARSE_MEETING_SHARE = 0.55, LARGEST_UNEVEN_SHARE = 0.33;
+                          LARGEST_COARSE_MEETING_SHARE = 0.5, LARGEST_COARSE_BENT_SHARE = 0.1, LARGEST_UNEVEN_SHARE = 0.33;
   // Of a network, what is part of smooth curves; of the vertices of such, those of two edges where these turn, and those of more, of which
   // none has more than so many. Rungs between two curves have at most so many edges.
   static constexpr double LEAST_SMOOTH_SHARE = 0.9, SMOOTH_BENT_SHARE = 0.02, SMOOTH_MEETING_SHARE = 0.2;

@@ -71,7 +71,7 @@ inline bool is_flip_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
   const Vector3 &a = mesh.position(v[0]), &b = mesh.position(v[1]), &c = mesh.position(v[2]), &d = mesh.position(v[3]);
   if (std::none_of(v, v + 4, [&](Remeshing_mesh::Index u) { return mesh.is_on_curve(u); })) return true;
   // An edge that leads across a strip is not to make way for one along its middle, with flat faces on both sides.
-  constexpr double LONGER = 1.3;
+  constexpr double LONGER = 1.4;
   if (mesh.is_on_curve(v[0]) && mesh.is_on_curve(v[1]) && !mesh.is_on_curve(v[2]) && !mesh.is_on_curve(v[3]) &&
       squared_distance(c, d) > LONGER * LONGER * squared_distance(a, b)) return false;
   // At an end the flip leaves one face where there were two; between two curve edges it may be too wide.
