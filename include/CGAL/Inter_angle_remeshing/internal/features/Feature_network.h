@@ -29,8 +29,9 @@ public:
     : graph_(graph)
   {}
 
-  // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet. Those of a part that was remeshed
-  // coarsely meet more often where they have few edges each, or bend, if this was done again and again. What leads to a free end is dropped.
+  // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet. Those of a part that was
+  // remeshed coarsely, of few edges each, meet more often; if that was done again and again, they bend more often. What leads to a free
+  // end is dropped.
   bool is_network()
   {
     const Shape shape = look();

@@ -63,8 +63,8 @@ private:
   // A vertex that turns more than so many times as much as both of its neighbors turns alone: between vertices of a circle, however
   // they are spaced, one of these turns half as much, at least.
   static constexpr double ALONE = 4;
-  // How many times as much as at a vertex a polyline bends at the next one where it goes over into an arc; more than two times: that is what
-  // evenly spaced vertices tell, too, and the tangent of a circle serves there.
+  // How many times as much as at a vertex a polyline bends at the next one where it goes over into an arc; more than two times: that is
+  // what evenly spaced vertices tell, too, and the tangent of a circle serves there.
   static constexpr double MUCH_MORE = 2.1;
   // How many times as long as an edge that rounds a corner off the next one is.
   static constexpr double LONG = 3;
