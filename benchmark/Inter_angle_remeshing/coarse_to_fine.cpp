@@ -12,7 +12,6 @@
 // leaves little but creases; the vertices lie on the full model. The distances are the mean and largest ones of points of the result
 // (or of the coarse model) from the sphere or torus, or from the full model.
 
-#include "crossing_pairs.h"
 #include "meshes.h"
 
 #include <CGAL/Inter_angle_remeshing/Projection/Closest_point_projector.h>

@@ -11,7 +11,6 @@
 // of the faces that the input does not force. `kept` is the part of the length of the marked edges, or of the border, that
 // lies within a tenth of the target length of the result's.
 
-#include "crossing_pairs.h"
 #include "meshes.h"
 #include "timing.h"
 

@@ -5,7 +5,6 @@
 // Organic models cut by planes: how much of the rim of the cut is found to be a feature, and how near the result is at the
 // mean edge length, beside PMP with nothing marked. A table in Markdown.
 
-#include "crossing_pairs.h"
 #include "meshes.h"
 #include "timing.h"
 

@@ -6,25 +6,22 @@
 #define INTER_ANGLE_REMESHING_BENCHMARK_MESHES_H
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cmath>
-#include <stdexcept>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-inline Mesh read_mesh(const std::string& path)
-{
-  Mesh mesh;
-  if (!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(path, mesh) || !CGAL::is_triangle_mesh(mesh))
-    throw std::runtime_error(path + " is not a triangle mesh");
-  return mesh;
-}
+// Throws std::runtime_error if it is not there or no triangle mesh.
+Mesh read_mesh(const std::string& path);
+
+// How many pairs of faces cross each other.
+std::size_t crossing_pairs(const Mesh& mesh);
 
 inline double mean_edge_length(const Mesh& mesh)
 {

@@ -6,7 +6,6 @@
 // mean edge lengths: the triangles, the crossing pairs of faces, and the distances from the noisy input, beside PMP. A table in
 // Markdown.
 
-#include "crossing_pairs.h"
 #include "meshes.h"
 #include "timing.h"
 

@@ -5,7 +5,6 @@
 // Meshes remeshed in eight parts, one after the other, the octants of their bounding boxes; and one of them alone: poor faces with rims
 // that stay whole, with rims that are split, and beside PMP. A table in Markdown.
 
-#include "crossing_pairs.h"
 #include "meshes.h"
 #include "timing.h"
 

@@ -11,7 +11,6 @@
 //
 //   tessellations [pairs]       the times are medians over so many pairs of runs; 5
 
-#include "crossing_pairs.h"
 #include "meshes.h"
 #include "timing.h"
 

@@ -11,7 +11,6 @@
 // most; the time is the median of three runs with what it took then, and leaves out reading and writing the mesh. Distances are in
 // percent of the diagonal of the bounding box. CGAL 6 has more remeshers than CGAL 5.
 
-#include "../crossing_pairs.h"
 #include "../meshes.h"
 #include "../timing.h"
 #include "remeshers.h"

@@ -35,7 +35,7 @@ public:
   bool is_network()
   {
     const Shape shape = look();
-    const double meeting = shape.meeting_share(), bent = double(shape.bent) / double(shape.inner);
+    const double meeting = shape.meeting_share(), bent = shape.bent_share();
     return shape.runs_through &&
            ((meeting <= LARGEST_MEETING_SHARE && bent <= LARGEST_BENT_SHARE) ||
             (meeting <= LARGEST_COARSE_MEETING_SHARE && bent <= LARGEST_COARSE_BENT_SHARE) ||
@@ -67,6 +67,7 @@ private:
     std::size_t inner, bent, others;     // vertices of two edges, those of them where these turn, and all others
 
     double meeting_share() const { return double(others) / double(inner + others); }
+    double bent_share() const { return double(bent) / double(inner); }
   };
 
   static constexpr std::size_t LEAST_EDGES = 12;       // the ring of fewer turns by 30 degrees at each

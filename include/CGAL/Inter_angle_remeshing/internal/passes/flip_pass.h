@@ -143,7 +143,7 @@ inline bool leans_over_by_flip(const Remeshing_mesh& mesh, Remeshing_mesh::Index
   if (mesh.is_on_curve_edge(h)) return false;
   const Remeshing_mesh::Index o = mesh.opposite(h), a = mesh.origin(h), b = mesh.origin(o), c = mesh.apex(h), d = mesh.apex(o);
   return mesh.is_on_curve(a) && mesh.is_on_curve(b) && mesh.is_on_curve(c) && mesh.is_on_curve(d) &&
-         squared_distance(mesh.position(c), mesh.position(d)) > mesh.squared_edge_length(h);
+         squared_distance(mesh.position(c), mesh.position(d)) > squared_distance(mesh.position(a), mesh.position(b));
 }
 
 // Flips the edges of `candidates` that pay. Returns the number of flips. The sectors have been measured.

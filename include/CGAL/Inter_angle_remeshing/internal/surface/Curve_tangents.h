@@ -45,11 +45,10 @@ public:
     const Arms& a = arms_[v];
     const double way[2] = {length(arm(v, 0)), length(arm(v, 1))};
     double part[2] = {way[1], way[0]};                       // of the directions; those of a circle
-    if (a.is_at_flat[0] != a.is_at_flat[1]) part[a.is_at_flat[0]] = 0;        // where one edge is at a flat, its direction
+    if (a.is_at_flat[0] != a.is_at_flat[1]) part[a.is_at_flat[0] ? 1 : 0] = 0;      // the one at the flat tells the tangent
     else {
-      const int shorter = way[1] < way[0];
-      const bool may_be_corner = LONG * way[shorter] < way[1 - shorter];
-      const double all = way[0] + way[1], rest = part_of_turn_left(v, shorter, may_be_corner) * all;
+      const int shorter = way[1] < way[0] ? 1 : 0;
+      const double all = way[0] + way[1], rest = part_of_turn_left(v, shorter) * all;
       if (rest < part[shorter]) {
         part[shorter] = rest;
         part[1 - shorter] = all - rest;
@@ -105,12 +104,14 @@ private:
     return turns_little(arms_[v].neighbor[0]) && turns_little(arms_[v].neighbor[1]);
   }
 
-  // What arm k of v, bent as at its other end, leaves of the turn at v; 1 where that does not bend much more, or to another side.
-  double part_of_turn_left(Index v, int k, bool may_be_corner) const
+  // What arm k of v, the shorter one, leaves of the turn at v if it is bent as at its other end; 1 where that does not bend much more, or
+  // to another side.
+  double part_of_turn_left(Index v, int k) const
   {
     const Index u = arms_[v].neighbor[k];
     const Vector3 t = turn(v);
     const double bend = curvature(u);
+    const bool may_be_corner = LONG * length(arm(v, k)) < length(arm(v, 1 - k));
     if (!(may_be_corner || is_smooth(u)) || !(bend > MUCH_MORE * curvature(v)) || !(dot(turn(u), t) > 0)) return 1;
     return (std::max)(0., 1 - bend * length(arm(v, k)) / (2 * length(t)));
   }

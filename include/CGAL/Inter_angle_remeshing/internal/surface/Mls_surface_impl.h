@@ -113,7 +113,7 @@ private:
 
   bool is_flat(Index h) const { return flats_ && flats_->is_flat(h); }
 
-  // Beside features that are far from curved faces, others may lie that are not.
+  // A tangent takes in how the curve runs on, where it may have left the curved faces.
   void find_tangents()
   {
     Curve_tangents tangents(surface_);

@@ -2,24 +2,27 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef INTER_ANGLE_REMESHING_BENCHMARK_CROSSING_PAIRS_H
-#define INTER_ANGLE_REMESHING_BENCHMARK_CROSSING_PAIRS_H
-
 #include "meshes.h"
 
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/boost/graph/helpers.h>
 
-#include <cstddef>
 #include <iterator>
+#include <stdexcept>
 #include <utility>
-#include <vector>
 
-// How many pairs of faces cross each other.
-inline std::size_t crossing_pairs(const Mesh& mesh)
+Mesh read_mesh(const std::string& path)
+{
+  Mesh mesh;
+  if (!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(path, mesh) || !CGAL::is_triangle_mesh(mesh))
+    throw std::runtime_error(path + " is not a triangle mesh");
+  return mesh;
+}
+
+std::size_t crossing_pairs(const Mesh& mesh)
 {
   std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
   CGAL::Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
   return pairs.size();
 }
-
-#endif // INTER_ANGLE_REMESHING_BENCHMARK_CROSSING_PAIRS_H
