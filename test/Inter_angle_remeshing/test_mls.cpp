@@ -867,6 +867,46 @@ void cuts_through_what_curves_stay_plane()
       }
 }
 
+// A rough round body over a plane base whose triangles have vertices close to the rim, as where a cut was filled. The facets behind the rim
+// tilted the normals of these, and the base bulged.
+void vertices_inside_of_a_base_do_not_tilt_it()
+{
+  constexpr double ROUGHNESS = .06;
+  for(const std::size_t n : {12, 16, 24})
+  {
+    Soup soup = turned({{.6, 0}, {.7, .06}, {.82, .25}, {.8, .5}, {.6, .75}, {.3, .88}}, n, false);
+    for(std::size_t i = n; i < soup.points.size(); ++i)
+      for(std::size_t k = 0; k < 3; ++k)
+        soup.points[i][k] += ROUGHNESS * std::sin(12.9 * double(i) + 78.2 * double(k));
+    Mesh input = to_mesh<Mesh>(soup);
+    const auto is_on_base = [&](Mesh::Vertex_index v) { return input.point(v).z() == 0; };
+    std::vector<Mesh::Halfedge_index> rim;
+    for(const auto h : halfedges(input))
+      if(is_on_base(source(h, input)) && is_on_base(target(h, input)) && is_on_base(target(next(h, input), input)) &&
+         !is_on_base(target(next(opposite(h, input), input), input)))
+        rim.push_back(h);
+    CHECK(rim.size() == n);
+    for(const auto h : rim)
+    {
+      const Point &p = input.point(source(h, input)), &q = input.point(target(h, input)), &r = input.point(target(next(h, input), input));
+      input.point(target(CGAL::Euler::add_center_vertex(h, input), input)) = CGAL::barycenter(p, .5, q, .45, r, .05);
+    }
+    const double mean = mean_edge_length(input);
+    for(const double part : {.2, .1})
+    {
+      Mesh m = input;
+      const IAR::Remeshing_report report = IAR::isotropic_remeshing(part * mean, m);
+      const std::string name = std::to_string(n) + " at " + std::to_string(part) + ": ";
+      CHECK_MESSAGE(report.features == IAR::Remeshing_report::Features::none, name << "features");
+      double off = 0;
+      for(const auto v : m.vertices())
+        if(const Point& p = m.point(v); p.z() < .2 && std::hypot(p.x(), p.y()) < .5)
+          off = (std::max)(off, std::abs(p.z()));
+      CHECK_MESSAGE(off < 1e-3 * mean, name << off / mean);
+    }
+  }
+}
+
 // The convex hull of balls at the corners of a box, whose points lie along spirals: irregular facets join its sides, of which some bulged
 // by a third or a tenth of the radius. The fewer points the balls have, the less tell the facets apart.
 void sides_beside_irregular_fillets_bulge_little()
@@ -1330,6 +1370,7 @@ int main()
   fillets_leave_flats_flat();
   fillets_of_a_few_wide_facets_leave_flats_flat();
   cuts_through_what_curves_stay_plane();
+  vertices_inside_of_a_base_do_not_tilt_it();
   sides_beside_irregular_fillets_bulge_little();
   the_border_of_a_flat_is_straight();
   straight_borders_beside_arcs_stay_straight();

@@ -39,6 +39,7 @@ public:
   // a large one say nothing: cuts leave quadrangles around a flat.
   Vector3 normal(const std::vector<Index>& sector) const
   {
+    if (is_in_one_plane(sector)) return polygons_.cross_product(polygons_[sector.front() >> 2]);
     double least = 0;
     for (const Index h : sector) least = (std::max)(least, least_area_beside(polygons_[h >> 2]));
     Vector3 result = normal_of_flats(sector, least);
@@ -50,6 +51,16 @@ public:
 private:
   // Facets around a vertex are uneven where one has so many times the area of another, or so many, if it is a polygon.
   static constexpr double UNEVEN = 32, UNEVEN_POLYGON = 8;
+
+  // Whether all faces of a sector are part of one polygon, inside of which their vertex lies, or which has many faces: what curves behind
+  // its rim, however near, does not turn it. Of one or two, as at a corner, nothing is known.
+  bool is_in_one_plane(const std::vector<Index>& sector) const
+  {
+    const Index polygon = polygons_[sector.front() >> 2];
+    if (polygon < 0 || std::any_of(sector.begin(), sector.end(), [&](Index h) { return polygons_[h >> 2] != polygon; })) return false;
+    const bool is_closed = surface_.origin(surface_.prev(sector.back())) == surface_.target(sector.front());
+    return is_closed || polygons_.has_many_faces(polygon);
+  }
 
   double least_area_beside(Index polygon) const
   {
