@@ -14,6 +14,8 @@
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/alpha_wrap_3.h>
 
 #include <cmath>
@@ -80,6 +82,14 @@ Mesh difference(Mesh a, Mesh b)
     throw std::runtime_error("there is no difference of two models");
   result.collect_garbage();
   return result;
+}
+
+Mesh simplified(Mesh mesh, std::size_t faces)
+{
+  namespace SMS = CGAL::Surface_mesh_simplification;
+  SMS::edge_collapse(mesh, SMS::Count_stop_predicate<Mesh>(3 * faces / 2));
+  mesh.collect_garbage();
+  return mesh;
 }
 
 Mesh wrap(const Mesh& mesh)

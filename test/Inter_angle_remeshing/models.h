@@ -9,6 +9,7 @@
 #include "invariants.h"
 #include "meshes.h"
 
+#include <cstddef>
 #include <string>
 
 namespace models {
@@ -30,6 +31,9 @@ Mesh cut_off(Mesh mesh, const Kernel::Plane_3& plane);
 
 // What of `a` is not in `b`; both closed.
 Mesh difference(Mesh a, Mesh b);
+
+// The mesh with about so many faces, by CGAL's edge collapses of Lindstrom and Turk.
+Mesh simplified(Mesh mesh, std::size_t faces);
 
 // The alpha wrap at 1/30 of the diagonal of the bounding box, offset by 1/600 of it.
 Mesh wrap(const Mesh& mesh);

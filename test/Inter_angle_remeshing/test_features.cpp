@@ -2054,6 +2054,30 @@ void coarse_results_are_still_cad_models()
   check(battlements(6), .4, "battlements");
 }
 
+// Simplification breaks the sharp edges of a part: much of them leads to free ends then. The part is plane over a third of its area and more,
+// what has grown and was simplified is not.
+void simplified_parts_are_cad_models()
+{
+  const Mesh part = models::of_cgal("couplingdown");
+  for(const std::size_t faces : {2000, 2500})
+  {
+    const Mesh input = models::simplified(part, faces);
+    Mesh m = input;
+    const double length = mean_edge_length(input);
+    const auto report = IAR::isotropic_remeshing(length, m);
+    CHECK_MESSAGE(report.features == Features::all_sharp_edges, faces << ": " << int(report.features));
+    const double distance = invariants::surface_distance(input, m).hausdorff();
+    CHECK_MESSAGE(distance < .35 * length, faces << ": " << distance / length);
+  }
+  for(const char* name : {"elephant", "bear", "bull", "camel", "cactus", "homer"})
+    for(const std::size_t faces : {500, 1000})
+    {
+      Mesh m = models::simplified(models::of_cgal(name), faces);
+      const auto report = IAR::isotropic_remeshing(mean_edge_length(m), m);
+      CHECK_MESSAGE(report.features != Features::all_sharp_edges, name << ", " << faces);
+    }
+}
+
 // The number of faces with an angle under that, in degrees.
 std::size_t number_of_needles(const Mesh& m, double angle = 20)
 {
@@ -3540,6 +3564,7 @@ int main()
   sides_of_prisms_have_no_vertices_in_their_middles();
   round_rims_are_coarsened();
   coarse_results_are_still_cad_models();
+  simplified_parts_are_cad_models();
   a_count_is_met_in_spite_of_grading();
   ranges_beside_long_facets_cross_nothing();
   return result();

@@ -30,13 +30,15 @@ public:
   {}
 
   // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet. Those of a part that was
-  // remeshed coarsely, of few edges each, meet more often; if that was done again and again, they bend more often. What leads to a free
-  // end is dropped.
-  bool is_network()
+  // remeshed coarsely, of few edges each, meet more often; if that was done again and again, they bend more often. Those of one that was
+  // simplified are broken: where much of it is plane, less need run through. What leads to a free end is dropped.
+  bool is_network(double planar_share)
   {
     const Shape shape = look();
     const double meeting = shape.meeting_share(), bent = shape.bent_share();
-    return shape.runs_through &&
+    if (planar_share >= LEAST_PLANAR_SHARE && shape.runs_through(LEAST_BROKEN_SHARE) && meeting <= LARGEST_BROKEN_MEETING_SHARE &&
+        bent <= LARGEST_BENT_SHARE) return true;
+    return shape.runs_through(LEAST_NETWORK_SHARE) &&
            ((meeting <= LARGEST_MEETING_SHARE && bent <= LARGEST_BENT_SHARE) ||
             (meeting <= LARGEST_COARSE_MEETING_SHARE && bent <= LARGEST_COARSE_BENT_SHARE) ||
             double(shape.bent + shape.others) <= LARGEST_UNEVEN_SHARE * double(shape.inner + shape.others));
@@ -45,7 +47,7 @@ public:
   bool is_bent()
   {
     const Shape shape = look();
-    return shape.runs_through && shape.meeting_share() <= LARGEST_MEETING_SHARE;
+    return shape.runs_through(LEAST_NETWORK_SHARE) && shape.meeting_share() <= LARGEST_MEETING_SHARE;
   }
   // Whether hardly anything else is left out when only curves are kept that end nowhere, hardly bend, and seldom meet. Short ones between
   // others that run on smoothly, and components that are a tangle, are dropped.
@@ -63,9 +65,10 @@ public:
 private:
   struct Shape
   {
-    bool runs_through;                   // whether most is left without what leads to a free end
+    double share;                        // of the length, that is left without what leads to a free end
     std::size_t inner, bent, others;     // vertices of two edges, those of them where these turn, and all others
 
+    bool runs_through(double least_share) const { return share >= least_share && inner >= LEAST_EDGES; }
     double meeting_share() const { return double(others) / double(inner + others); }
     double bent_share() const { return double(bent) / double(inner); }
   };
@@ -73,6 +76,9 @@ private:
   static constexpr std::size_t LEAST_EDGES = 12;       // the ring of fewer turns by 30 degrees at each
   static constexpr double LEAST_NETWORK_SHARE = 0.7, LARGEST_BENT_SHARE = 0.2, LARGEST_MEETING_SHARE = 0.4,
                           LARGEST_COARSE_MEETING_SHARE = 0.5, LARGEST_COARSE_BENT_SHARE = 0.1, LARGEST_UNEVEN_SHARE = 0.33;
+  // Of a network that is broken, and of the area of the part, whose faces lie in planes with others. What has grown and was simplified has
+  // .24 at most.
+  static constexpr double LEAST_BROKEN_SHARE = 0.35, LARGEST_BROKEN_MEETING_SHARE = 0.45, LEAST_PLANAR_SHARE = 0.35;
   // Of a network, what is part of smooth curves; of the vertices of such, those of two edges where these turn, and those of more, of which
   // none has more than so many. Rungs between two curves have at most so many edges.
   static constexpr double LEAST_SMOOTH_SHARE = 0.9, SMOOTH_BENT_SHARE = 0.02, SMOOTH_MEETING_SHARE = 0.2;
@@ -89,7 +95,7 @@ private:
       ++(graph_.degree(v) == 2 ? inner : others);
       bent += graph_.degree(v) == 2 && graph_.bends(v);
     }
-    return {graph_.length_left() >= LEAST_NETWORK_SHARE * length_of_all && inner >= LEAST_EDGES, inner, bent, others};
+    return {length_of_all > 0 ? graph_.length_left() / length_of_all : 0., inner, bent, others};
   }
 
   // Drops short chains both of whose ends lie on other curves that run on there.

@@ -186,7 +186,7 @@ private:
     };
     const auto form_network = [&]() {
       Feature_graph graph(mesh_, own_length_, candidates);
-      return Feature_network(graph).is_network();
+      return Feature_network(graph).is_network(normals_.planar_share());
     };
     return ((is_cad_with(lengths.sharp) && is_cad_with(of_long)) || (lengths.mild < MOST_MILD * of_long && form_network())) &&
            ((are_few_mild(lengths.sharp) && are_few_mild(of_long)) || !are_of_noise());
