@@ -71,13 +71,15 @@ public:
   // Whether these faces lie in planes of the same direction.
   bool are_parallel(Index f, Index g) const { return dot(normal_[f], normal_[g]) > planar_cosine_; }
 
-  // The part of the area whose faces are not the only ones in their planes.
+  // Whether face f is not the only one in its plane.
+  bool is_in_polygon(Index f) const { return is_planar_at(4 * f) || is_planar_at(4 * f + 1) || is_planar_at(4 * f + 2); }
+  // The part of the area of such faces.
   double planar_share() const
   {
     double all = 0, of_polygons = 0;
     for (Index f = 0; f < Index(doubled_area_.size()); ++f) {
       all += doubled_area_[f];
-      if (is_planar_at(4 * f) || is_planar_at(4 * f + 1) || is_planar_at(4 * f + 2)) of_polygons += doubled_area_[f];
+      if (is_in_polygon(f)) of_polygons += doubled_area_[f];
     }
     return all > 0 ? of_polygons / all : 0.;
   }

@@ -31,13 +31,13 @@ public:
 
   // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet. Those of a part that was
   // remeshed coarsely, of few edges each, meet more often; if that was done again and again, they bend more often. Those of one that was
-  // simplified are broken: where much of it is plane, less need run through. What leads to a free end is dropped.
-  bool is_network(double planar_share)
+  // simplified are broken: if much of what they lie on is plane, less need run through. What leads to a free end is dropped.
+  bool is_network(bool is_planar)
   {
     const Shape shape = look();
     const double meeting = shape.meeting_share(), bent = shape.bent_share();
-    if (planar_share >= LEAST_PLANAR_SHARE && shape.runs_through(LEAST_BROKEN_SHARE) && meeting <= LARGEST_BROKEN_MEETING_SHARE &&
-        bent <= LARGEST_BENT_SHARE) return true;
+    if (is_planar && shape.runs_through(LEAST_BROKEN_SHARE) && meeting <= LARGEST_BROKEN_MEETING_SHARE && bent <= LARGEST_BENT_SHARE)
+      return true;
     return shape.runs_through(LEAST_NETWORK_SHARE) &&
            ((meeting <= LARGEST_MEETING_SHARE && bent <= LARGEST_BENT_SHARE) ||
             (meeting <= LARGEST_COARSE_MEETING_SHARE && bent <= LARGEST_COARSE_BENT_SHARE) ||
@@ -76,9 +76,7 @@ private:
   static constexpr std::size_t LEAST_EDGES = 12;       // the ring of fewer turns by 30 degrees at each
   static constexpr double LEAST_NETWORK_SHARE = 0.7, LARGEST_BENT_SHARE = 0.2, LARGEST_MEETING_SHARE = 0.4,
                           LARGEST_COARSE_MEETING_SHARE = 0.5, LARGEST_COARSE_BENT_SHARE = 0.1, LARGEST_UNEVEN_SHARE = 0.33;
-  // Of a network that is broken; and of the area of the part, whose faces lie in planes with others. What has grown, with as many sharp
-  // edges, has mostly less than a quarter.
-  static constexpr double LEAST_BROKEN_SHARE = 0.35, LARGEST_BROKEN_MEETING_SHARE = 0.45, LEAST_PLANAR_SHARE = 0.35;
+  static constexpr double LEAST_BROKEN_SHARE = 0.35, LARGEST_BROKEN_MEETING_SHARE = 0.45;
   // Of a network, what is part of smooth curves; of the vertices of such, those of two edges where these turn, and those of more, of which
   // none has more than so many. Rungs between two curves have at most so many edges.
   static constexpr double LEAST_SMOOTH_SHARE = 0.9, SMOOTH_BENT_SHARE = 0.02, SMOOTH_MEETING_SHARE = 0.2;

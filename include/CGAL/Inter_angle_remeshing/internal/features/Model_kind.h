@@ -44,6 +44,9 @@ class Model_kind
   static constexpr std::size_t LONG_RING = 9;
   // The edges in between may be so many times as long as sharp ones that form a network.
   static constexpr double MOST_MILD = 3.5;
+  // Edges lie on planar parts if this part of their length is on what hangs together and is plane over this part of its area. What has grown,
+  // with as many sharp edges, is so mostly over less than a quarter.
+  static constexpr double SHARE_ON_PLANAR_PARTS = 0.75, LEAST_PLANAR_SHARE = 0.35;
   // Sharp edges are those of noise where so many of their vertices are saddles, and this part of all.
   static constexpr std::size_t LEAST_SADDLES = 50;
   static constexpr double NOISE_SHARE = 0.1;
@@ -186,7 +189,7 @@ private:
     };
     const auto form_network = [&]() {
       Feature_graph graph(mesh_, own_length_, candidates);
-      return Feature_network(graph).is_network(normals_.planar_share());
+      return Feature_network(graph).is_network(lie_on_planar_parts(candidates));
     };
     return ((is_cad_with(lengths.sharp) && is_cad_with(of_long)) || (lengths.mild < MOST_MILD * of_long && form_network())) &&
            ((are_few_mild(lengths.sharp) && are_few_mild(of_long)) || !are_of_noise());
@@ -232,6 +235,7 @@ private:
   {
     std::vector<Index> part;             // by face
     std::vector<double> area;            // by part
+    std::vector<double> planar_area;     // of these, of faces that are not the only ones in their planes
   };
   Parts find_parts() const
   {
@@ -240,12 +244,14 @@ private:
     result.part.resize(number.size());
     for (Index first = 0; first < Index(number.size()); ++first) {
       if (number[first] >= 0) continue;
-      double area = 0;
+      double area = 0, planar_area = 0;
       for (const Index f : component_of(mesh_, first, number)) {
         result.part[f] = Index(result.area.size());
         area += normals_.doubled_areas()[f] / 2;
+        if (normals_.is_in_polygon(f)) planar_area += normals_.doubled_areas()[f] / 2;
       }
       result.area.push_back(area);
+      result.planar_area.push_back(planar_area);
     }
     return result;
   }
@@ -260,6 +266,20 @@ private:
     double sum = 0;
     for (const Index h : graph.edges()) sum += std::sqrt(mesh_.squared_edge_length(h));
     return sum;
+  }
+
+  // Whether most of the length of these edges is on parts that are plane to a good part. Of a scene one part may be, beside what has grown.
+  bool lie_on_planar_parts(const std::vector<Index>& edges) const
+  {
+    const Parts parts = find_parts();
+    double all = 0, on_planar_parts = 0;
+    for (const Index h : edges) {
+      const double l = std::sqrt(mesh_.squared_edge_length(h));
+      const Index k = parts.part[h >> 2];
+      all += l;
+      if (parts.planar_area[k] >= LEAST_PLANAR_SHARE * parts.area[k]) on_planar_parts += l;
+    }
+    return on_planar_parts >= SHARE_ON_PLANAR_PARTS * all;
   }
 
   // Free ends, and those where edges meet, among the vertices of these edges.
