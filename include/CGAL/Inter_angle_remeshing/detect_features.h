@@ -49,8 +49,8 @@ most 40% are the ends of more, and at most a fifth of the others bend by more th
 at most a tenth of the others bend; or these and those make up at most a third of all. Simplification breaks the edges of a part: where
 three quarters of s lie on components 35% of whose area consists of faces that go on in their planes over an edge, it is enough if 35% of
 the length does not lead to a free end, at most 45% of the vertices are the ends of more, and at most a fifth of the others bend. But
-unless m - p < s / 5, it is none if at a tenth of the
-vertices of these edges, fifty at least, two or more convex ones meet two or more concave ones: noise makes such saddles everywhere.
+unless m - p < s / 5, it is none if at a tenth of the vertices of these edges, fifty at least, two or more convex ones meet two or more
+concave ones: noise makes such saddles everywhere.
 What has grown and is as flat as a leaf is none, either: of the vertices of edges of 40 degrees and more, a hundred at least, more than
 .5% are free ends, more than 10% are free ends or junctions, and over more than 15% of the length of these edges the surface turns by 120
 degrees and more.
