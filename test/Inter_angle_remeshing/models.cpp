@@ -14,7 +14,6 @@
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/alpha_wrap_3.h>
 
@@ -86,8 +85,9 @@ Mesh difference(Mesh a, Mesh b)
 
 Mesh simplified(Mesh mesh, std::size_t faces)
 {
-  namespace SMS = CGAL::Surface_mesh_simplification;
-  SMS::edge_collapse(mesh, SMS::Count_stop_predicate<Mesh>(3 * faces / 2));
+  const auto are_few = [&](const auto& /* cost */, const auto& /* profile */, auto /* initial */, auto edges) {
+    return edges <= 3 * faces / 2; };
+  CGAL::Surface_mesh_simplification::edge_collapse(mesh, are_few);
   mesh.collect_garbage();
   return mesh;
 }
