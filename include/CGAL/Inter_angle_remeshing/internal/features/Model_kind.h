@@ -116,6 +116,14 @@ public:
   }
 
 private:
+  // What hangs together.
+  struct Parts
+  {
+    std::vector<Index> part;             // by face
+    std::vector<double> area;            // by part
+    std::vector<double> planar_area;     // of these, of faces that are not the only ones in their planes
+  };
+
   // Calls `function(h)` for one half-edge of each edge between the first n faces.
   template <class Function>
   void for_each_inner_edge(std::size_t n, const Function& function) const
@@ -134,8 +142,9 @@ private:
     const Lengths lengths = measure_edges(mesh_.number_of_face_slots(), [&](Index h, double cosine) {
       if (cosine <= least) sharp_edges_.push_back(h); });
     const std::vector<Index> candidates = sharp_edges(CAD_ANGLE);
+    const Parts parts = find_parts();
     count_vertices(candidates);
-    is_cad_ = looks_designed(lengths, candidates);
+    is_cad_ = looks_designed(lengths, candidates, parts);
     has_leaves_ = is_cad_ && are_of_leaves(lengths);
     is_cad_ = is_cad_ && !has_leaves_;
     const Jagged_chamfers chamfers(normals_, candidates);
@@ -145,7 +154,7 @@ private:
     is_cad_ = is_cad_ && !has_voxel_stairs_ && !has_jagged_chamfers_;
     if (is_cad_ || has_voxel_stairs_) return;
     find_creases(lengths.all);
-    if (!has_jagged_chamfers_) find_smooth_curves(candidates);
+    if (!has_jagged_chamfers_) find_smooth_curves(candidates, parts);
   }
 
   // The lengths of all edges, of sharp ones, of those of them over which the surface turns back, of those in between, and of these where
@@ -180,16 +189,16 @@ private:
   }
 
   // Whether the dihedral angles are those of a CAD model, whatever its sharp edges look like.
-  bool looks_designed(const Lengths& lengths, const std::vector<Index>& candidates) const
+  bool looks_designed(const Lengths& lengths, const std::vector<Index>& candidates, const Parts& parts) const
   {
-    const double of_long = length_in_long_components(candidates);
+    const double of_long = length_in_long_components(candidates, parts);
     const auto are_few_mild = [&](double length) { return lengths.mild - lengths.facets < 0.2 * length; };
     const auto is_cad_with = [&](double length) {
       return lengths.mild < 0.5 * length || (lengths.mild < 1.1 * length && lengths.are_mostly_flat) || are_few_mild(length);
     };
     const auto form_network = [&]() {
       Feature_graph graph(mesh_, own_length_, candidates);
-      return Feature_network(graph).is_network(lie_on_planar_parts(candidates));
+      return Feature_network(graph).is_network(lie_on_planar_parts(candidates, parts));
     };
     return ((is_cad_with(lengths.sharp) && is_cad_with(of_long)) || (lengths.mild < MOST_MILD * of_long && form_network())) &&
            ((are_few_mild(lengths.sharp) && are_few_mild(of_long)) || !are_of_noise());
@@ -204,12 +213,11 @@ private:
   }
 
   // Those of each part are as sharp and as long together.
-  void find_smooth_curves(const std::vector<Index>& edges)
+  void find_smooth_curves(const std::vector<Index>& edges, const Parts& parts)
   {
     Feature_graph graph(mesh_, own_length_, edges);
     if (are_of_noise() || !Feature_network(graph).is_smooth()) return;
     const std::vector<Index> curves = graph.edges();
-    const Parts parts = find_parts();
     std::vector<double> length(parts.area.size(), 0), turns(parts.area.size(), 0);      // by part
     for (const Index h : curves) {
       const double l = std::sqrt(mesh_.squared_edge_length(h));
@@ -230,13 +238,6 @@ private:
            (is_cad_ && !chamfers.tell_nothing() && share >= SIMPLIFIED_CHAMFERS && chamfers.jagged_share() >= SIMPLIFIED_JAGS);
   }
 
-  // What hangs together.
-  struct Parts
-  {
-    std::vector<Index> part;             // by face
-    std::vector<double> area;            // by part
-    std::vector<double> planar_area;     // of these, of faces that are not the only ones in their planes
-  };
   Parts find_parts() const
   {
     Parts result;
@@ -257,9 +258,8 @@ private:
   }
 
   // The length of these edges in components that are long beside the edges of the mesh, or beside the part that they are on.
-  double length_in_long_components(const std::vector<Index>& edges) const
+  double length_in_long_components(const std::vector<Index>& edges, const Parts& parts) const
   {
-    const Parts parts = find_parts();
     Feature_graph graph(mesh_, own_length_, edges);
     graph.drop_components_shorter_than([&](Index h) {
       return (std::min)(LONG_COMPONENT, LONG_PART * std::sqrt(parts.area[parts.part[h >> 2]]) / own_length_); }, LONG_RING);
@@ -269,9 +269,8 @@ private:
   }
 
   // Whether most of the length of these edges is on parts that are plane to a good part. Of a scene one part may be, beside what has grown.
-  bool lie_on_planar_parts(const std::vector<Index>& edges) const
+  bool lie_on_planar_parts(const std::vector<Index>& edges, const Parts& parts) const
   {
-    const Parts parts = find_parts();
     double all = 0, on_planar_parts = 0;
     for (const Index h : edges) {
       const double l = std::sqrt(mesh_.squared_edge_length(h));
