@@ -2080,6 +2080,22 @@ void simplified_parts_are_cad_models()
     }
 }
 
+// Faces that simplification made long and thin are no samples of a smooth surface, on what has grown, either: the cactus was a tenth of the
+// target length thicker on average.
+void simplified_plants_are_no_thicker()
+{
+  for(const std::size_t faces : {400, 600})
+  {
+    const Mesh input = models::simplified(models::of_cgal("cactus"), faces);
+    Mesh m = input;
+    const double length = mean_edge_length(input) / 5;
+    const auto report = IAR::isotropic_remeshing(length, m);
+    CHECK_MESSAGE(report.features != Features::all_sharp_edges, faces);
+    const double distance = invariants::surface_distance(input, m).mean();
+    CHECK_MESSAGE(distance < .03 * length, faces << ": " << distance / length);
+  }
+}
+
 // The number of faces with an angle under that, in degrees.
 std::size_t number_of_needles(const Mesh& m, double angle = 20)
 {
@@ -3567,6 +3583,7 @@ int main()
   round_rims_are_coarsened();
   coarse_results_are_still_cad_models();
   simplified_parts_are_cad_models();
+  simplified_plants_are_no_thicker();
   a_count_is_met_in_spite_of_grading();
   ranges_beside_long_facets_cross_nothing();
   return result();

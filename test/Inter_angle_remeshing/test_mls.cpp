@@ -907,6 +907,16 @@ void vertices_inside_of_a_base_do_not_tilt_it()
   }
 }
 
+// Points along a spiral on a sphere.
+void append_ball(std::vector<Point>& points, int n, double radius, const Vector& center)
+{
+  for(int i = 0; i < n; ++i)
+  {
+    const double z = 1 - (2 * i + 1.) / n, angle = i * (3 - std::sqrt(5.)) * CGAL_PI, r = std::sqrt(1 - z * z);
+    points.push_back(CGAL::ORIGIN + center + radius * Vector(r * std::cos(angle), r * std::sin(angle), z));
+  }
+}
+
 // The convex hull of balls at the corners of a box, whose points lie along spirals: irregular facets join its sides, of which some bulged
 // by a third or a tenth of the radius. The fewer points the balls have, the less tell the facets apart.
 void sides_beside_irregular_fillets_bulge_little()
@@ -917,12 +927,10 @@ void sides_beside_irregular_fillets_bulge_little()
   {
     std::vector<Point> points;
     for(int corner = 0; corner < 8; ++corner)
-      for(int i = 0; i < n; ++i)
-      {
-        const double z = 1 - (2 * i + 1.) / n, angle = i * (3 - std::sqrt(5.)) * CGAL_PI, r = std::sqrt(1 - z * z);
-        const auto side = [&](int k) { return (corner >> k & 1 ? 1 : -1) * half[std::size_t(k)]; };
-        points.push_back(Point(side(0), side(1), side(2)) + radius * Vector(r * std::cos(angle), r * std::sin(angle), z));
-      }
+    {
+      const auto side = [&](int k) { return (corner >> k & 1 ? 1 : -1) * half[std::size_t(k)]; };
+      append_ball(points, n, radius, Vector(side(0), side(1), side(2)));
+    }
     Mesh input;
     CGAL::convex_hull_3(points.begin(), points.end(), input);
     for(const double length : {.2, .1})
@@ -938,6 +946,47 @@ void sides_beside_irregular_fillets_bulge_little()
             off = (std::max)(off, std::abs(std::abs(m.point(v)[k]) - half[std::size_t(k)] - radius));
         }
       CHECK_MESSAGE(off < bulge * radius, n << " at " << length << ": " << off / radius);
+    }
+  }
+}
+
+// Points on a circle around the z axis, which is turned around y by this angle.
+void append_ring(std::vector<Point>& points, int n, double radius, const Vector& center, double tilt)
+{
+  for(int i = 0; i < n; ++i)
+  {
+    const double t = 2 * CGAL_PI * i / n, x = std::cos(t);
+    points.push_back(CGAL::ORIGIN + center + radius * Vector(x * std::cos(tilt), std::sin(t), -x * std::sin(tilt)));
+  }
+}
+
+// Hulls of balls and discs that lie apart, as those of robots' links: few large facets beside small ones, and sharp edges that end where the
+// facets turn less. They were rounded by up to 2.7 target lengths.
+void hulls_keep_their_facets()
+{
+  for(const double d : {1., 2., 3.})
+  {
+    std::vector<Point> two_balls_and_a_disc, ball_and_disc, discs;
+    append_ball(two_balls_and_a_disc, 80, .5, Vector(0, 0, 0));
+    append_ball(two_balls_and_a_disc, 40, .3, Vector(d, 0, .4));
+    append_ring(two_balls_and_a_disc, 20, .4, Vector(0, .6 * d, .5 * d), 0);
+    append_ball(ball_and_disc, 80, .6, Vector(0, 0, 0));
+    append_ring(ball_and_disc, 24, .5, Vector(.7 * d, 0, d), .4);
+    append_ring(discs, 20, .5, Vector(0, 0, 0), 0);
+    append_ring(discs, 16, .3, Vector(d, 0, .7), .4);
+    append_ring(discs, 24, .4, Vector(.2, d, .3), 1.1);
+    for(const auto* points : {&two_balls_and_a_disc, &ball_and_disc, &discs})
+    {
+      const std::string name = std::to_string(points->size()) + " points, " + std::to_string(d) + ": ";
+      Mesh input;
+      CGAL::convex_hull_3(points->begin(), points->end(), input);
+      const double length = .02 * (1 + d);
+      Mesh m = input;
+      const auto report = IAR::isotropic_remeshing(length, m);
+      CHECK_MESSAGE(report.features == IAR::Remeshing_report::Features::all_sharp_edges, name << int(report.features));
+      const IAR::Surface_distance moved = invariants::surface_distance(input, m);
+      CHECK_MESSAGE(moved.hausdorff() < .4 * length, name << moved.hausdorff() / length);
+      CHECK_MESSAGE(moved.mean() < .01 * length, name << moved.mean() / length);
     }
   }
 }
@@ -1372,6 +1421,7 @@ int main()
   cuts_through_what_curves_stay_plane();
   vertices_inside_of_a_base_do_not_tilt_it();
   sides_beside_irregular_fillets_bulge_little();
+  hulls_keep_their_facets();
   the_border_of_a_flat_is_straight();
   straight_borders_beside_arcs_stay_straight();
   planes_that_meet_stay_planes();

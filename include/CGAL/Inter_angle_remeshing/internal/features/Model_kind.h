@@ -8,6 +8,7 @@
 #include <CGAL/Inter_angle_remeshing/internal/features/Face_normals.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/Feature_graph.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/Feature_network.h>
+#include <CGAL/Inter_angle_remeshing/internal/features/Uneven_facets.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/jagged_chamfers.h>
 #include <CGAL/Inter_angle_remeshing/internal/features/voxel_surface.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/mesh_regions.h>
@@ -31,7 +32,8 @@ namespace internal {
 // own would be more than edges of the length of these can follow. Marching cubes around what is marked in a volume leave the stairs of
 // its voxels, whose edges tell nothing about the object. What has grown and is as flat as a leaf has sharp edges at its rim, too, and flat
 // ones elsewhere; but the sharp ones are a tangle, and over them the surface turns back. What is twisted, or a panel with noise, has sharp
-// edges along smooth curves, and between these no flat ones.
+// edges along smooth curves, and between these no flat ones. Parts that were simplified to some hundred faces, or their hulls, have sharp
+// edges that are too few and too broken to tell a part; but they have few large facets.
 class Model_kind
 {
   using Index = Remeshing_mesh::Index;
@@ -65,6 +67,9 @@ class Model_kind
   // rims of thin walls, and so many turn to and fro, noise was marked: faces that do without its edges would cross each other. The edges
   // of vessels about as thick as a slice do not turn to and fro.
   static constexpr double CHAMFERED_STAIRS = 0.2, THIN_STAIRS = 0.1, NOISY_JAGS = 0.002;
+  // Uneven facets say something where edges of at least LEAST_ANGLE have this part of the length of all edges: the tessellation of a smooth
+  // body has facets as uneven. They are a part's where sharp ones have no more than this: more are in the way of each other.
+  static constexpr double LEAST_BENT_SHARE = 0.008, MOST_SHARP_SHARE = 0.055;
   // Where simplification has taken the vertices off the grid, so many are rims of chamfers, and so many turn to and fro.
   static constexpr double SIMPLIFIED_CHAMFERS = 0.6, SIMPLIFIED_JAGS = 0.07;
 
@@ -92,6 +97,8 @@ public:
   bool has_jagged_chamfers() const { return has_jagged_chamfers_; }
   // Whether its sharp edges are those of the stairs that marching cubes leave. It is no CAD model then.
   bool has_voxel_stairs() const { return has_voxel_stairs_; }
+  // Whether its faces are facets, large ones beside small ones, and no samples of a smooth surface.
+  bool has_uneven_facets() const { return has_uneven_facets_; }
   // Of a model that is no CAD model, the sharp edges if nearly all of them are creases along smooth curves that end nowhere, and without
   // the others: between those of a twisted bar the edges of the facets are anything but flat. Sorted.
   const std::vector<Index>& smooth_curves() const { return smooth_curves_; }
@@ -145,6 +152,7 @@ private:
     const Parts parts = find_parts();
     count_vertices(candidates);
     is_cad_ = looks_designed(lengths, candidates, parts);
+    if (!is_cad_) look_at_facets(lengths);
     has_leaves_ = is_cad_ && are_of_leaves(lengths);
     is_cad_ = is_cad_ && !has_leaves_;
     const Jagged_chamfers chamfers(normals_, candidates);
@@ -164,6 +172,14 @@ private:
     double all = 0, sharp = 0, turning = 0, mild = 0, facets = 0;
     bool are_mostly_flat = false;        // more than half of the edges, by number
   };
+
+  void look_at_facets(const Lengths& lengths)
+  {
+    if (length_of(sharp_edges_) < LEAST_BENT_SHARE * lengths.all) return;
+    const Uneven_facets facets(normals_);
+    has_uneven_facets_ = facets.are_there();
+    is_cad_ = facets.are_few() && lengths.sharp <= MOST_SHARP_SHARE * lengths.all;
+  }
 
   // Those between the first n faces. Calls `function(h, c)` for each of these edges, with the cosine of its dihedral angle.
   template <class Function>
@@ -207,9 +223,7 @@ private:
   void find_creases(double length_of_all)
   {
     creases_ = sharp_edges(CREASE_ANGLE);
-    double length = 0;
-    for (const Index h : creases_) length += std::sqrt(mesh_.squared_edge_length(h));
-    if (length < CREASE_SHARE * length_of_all || are_of_noise()) creases_.clear();
+    if (length_of(creases_) < CREASE_SHARE * length_of_all || are_of_noise()) creases_.clear();
   }
 
   // Those of each part are as sharp and as long together.
@@ -263,8 +277,13 @@ private:
     Feature_graph graph(mesh_, own_length_, edges);
     graph.drop_components_shorter_than([&](Index h) {
       return (std::min)(LONG_COMPONENT, LONG_PART * std::sqrt(parts.area[parts.part[h >> 2]]) / own_length_); }, LONG_RING);
+    return length_of(graph.edges());
+  }
+
+  double length_of(const std::vector<Index>& edges) const
+  {
     double sum = 0;
-    for (const Index h : graph.edges()) sum += std::sqrt(mesh_.squared_edge_length(h));
+    for (const Index h : edges) sum += std::sqrt(mesh_.squared_edge_length(h));
     return sum;
   }
 
@@ -317,7 +336,7 @@ private:
   const Face_normals& normals_;
   const Remeshing_mesh& mesh_;
   double own_length_;
-  bool is_cad_ = false, has_leaves_ = false, has_jagged_chamfers_ = false, has_voxel_stairs_ = false;
+  bool is_cad_ = false, has_uneven_facets_ = false, has_leaves_ = false, has_jagged_chamfers_ = false, has_voxel_stairs_ = false;
   std::size_t sharp_vertices_ = 0, free_ends_ = 0, junctions_ = 0, saddles_ = 0;       // of edges of CAD_ANGLE
   std::vector<Index> sharp_edges_, creases_, smooth_curves_;
 };

@@ -78,7 +78,8 @@ Found_in_input look_at_input(const Remeshing_mesh& mesh, const Remeshing_mesh& s
   const double unit = mesh.unit() / seen.unit(), length = unit * target.length;
   Feature_detector detector(seen, length);
   kind.is_cad = result.is_cad = detector.kind().is_cad();
-  kind.is_faceted = kind.is_cad || detector.kind().has_jagged_chamfers() || detector.kind().has_voxel_stairs();
+  kind.is_faceted = kind.is_cad || detector.kind().has_uneven_facets() || detector.kind().has_jagged_chamfers() ||
+                    detector.kind().has_voxel_stairs();
   kind.saddle_excess = detector.kind().saddle_excess();
   kind.searches_features = searches_features;
   result.range_may_be_cad = &seen != &mesh && detector.kind().may_be_cad(mesh.number_of_face_slots());

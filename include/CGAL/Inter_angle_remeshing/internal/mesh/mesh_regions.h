@@ -62,10 +62,11 @@ inline std::vector<Remeshing_mesh::Index> faces_around(const Remeshing_mesh& mes
   return result;
 }
 
-// The faces that hang together with a face by edges, from it on. `number`, by face, becomes their place among these; only faces whose
-// number is negative are looked at.
-inline std::vector<Remeshing_mesh::Index> component_of(const Remeshing_mesh& mesh, Remeshing_mesh::Index first,
-                                                       std::vector<Remeshing_mesh::Index>& number)
+// The faces that hang together with a face by edges for which `joins(h)` is true, from it on. `number`, by face, becomes their place among
+// these; only faces whose number is negative are looked at.
+template <class Joins>
+std::vector<Remeshing_mesh::Index> component_of(const Remeshing_mesh& mesh, Remeshing_mesh::Index first,
+                                                std::vector<Remeshing_mesh::Index>& number, const Joins& joins)
 {
   using Index = Remeshing_mesh::Index;
   std::vector<Index> faces = {first};
@@ -73,11 +74,17 @@ inline std::vector<Remeshing_mesh::Index> component_of(const Remeshing_mesh& mes
   for (std::size_t i = 0; i < faces.size(); ++i)
     for (Index h = 4 * faces[i]; h < 4 * faces[i] + 3; ++h) {
       const Index o = mesh.opposite(h);
-      if (o < 0 || number[o >> 2] >= 0) continue;
+      if (o < 0 || number[o >> 2] >= 0 || !joins(h)) continue;
       number[o >> 2] = Index(faces.size());
       faces.push_back(o >> 2);
     }
   return faces;
+}
+// The same by any edge.
+inline std::vector<Remeshing_mesh::Index> component_of(const Remeshing_mesh& mesh, Remeshing_mesh::Index first,
+                                                       std::vector<Remeshing_mesh::Index>& number)
+{
+  return component_of(mesh, first, number, [](Remeshing_mesh::Index) { return true; });
 }
 
 // The ends of the edge of h and the vertices opposite to it.
