@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Parts that were simplified by edge collapses, which breaks their sharp edges: by default, with nothing as a feature, and by PMP with the
-// edges of 40 degrees and more marked. Per number of faces, sums and means over the parts as a table in Markdown. The same for hulls of balls
-// and discs, as those of robots' links, by the number of points on a ball.
+// edges of 40 degrees and more marked. Per number of faces, sums and means over the parts as a table in Markdown. The same for hulls of
+// balls and discs, as those of robots' links, by the number of points on a ball.
 //
 //   simplified_parts [mesh...]       triangle meshes; parts of CGAL's data where none is given
 

@@ -109,8 +109,8 @@ number of faces of the range and of the result, per iteration; at vertices with 
                           call and restored in the end: it may read nothing else. `Closest_point_projector` and
                           `MLS_projector` run from warm starts. Hand functors with a state over by `std::ref`.}
     \cgalParamType{a model of `RemeshingProjector`}
-    \cgalParamDefault{onto the closest point of the range as it was: on CAD models, uneven facets, alpha wraps of parts and stairs of voxels, where
-                      faces have sizes of at most two target lengths, and everywhere if hardly any has more. Where they have
+    \cgalParamDefault{onto the closest point of the range as it was: on CAD models, uneven facets, alpha wraps of parts
+                      and stairs of voxels, where faces have sizes of at most two target lengths, and everywhere if hardly any has more. Where they have
                       three and more, onto the surface of `MLS_projector`; between, onto a smooth blend of both. The size of
                       a face is its mean edge length, but at most 1.7 times its altitude, or that of a higher neighbor}
   \cgalParamNEnd

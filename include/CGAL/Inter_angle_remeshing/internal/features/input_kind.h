@@ -24,7 +24,7 @@ namespace internal {
 struct Input_kind
 {
   bool is_cad;                   // the dihedral angles tell a CAD model
-  bool is_faceted;               // so they do, or a wrap of one, uneven facets, or stairs of voxels: its faces are no samples of a smooth surface
+  bool is_faceted;               // so they do, or a wrap, uneven facets, or stairs of voxels: faces are no samples of a smooth surface
   bool searches_features;        // its sharp edges were looked for, and those that were found are constrained
   Remeshing_report::Features features;
   std::size_t feature_edges;
