@@ -4,8 +4,8 @@
 //
 // What CAD systems export: surfaces of revolution whose faces are as long as the part and as narrow as it curves. By default
 // with nothing marked, and by PMP with the edges over 40 degrees marked, both to a length at which so many equilateral
-// triangles have the area of the input. Then what few iterations do, and targets far finer than the facets; regular grids, flat
-// and wavy; terrains; boxes with tiny chamfers, with and without the merging of these; parts with fillets narrower than the
+// triangles have the area of the input. Then what few iterations do, and targets far finer than the facets; plates of needles; regular
+// grids, flat and wavy; terrains; boxes with tiny chamfers, with and without the merging of these; parts with fillets narrower than the
 // target, with these for features and without; and reliefs finer than the target, given up and kept, where nothing is marked for PMP.
 // Tables in Markdown.
 //
@@ -98,6 +98,20 @@ Mesh grid(std::size_t n, double height)
       mesh.add_face(v[a], v[a + 1], v[b + 1]);
       mesh.add_face(v[a], v[b + 1], v[b]);
     }
+  return mesh;
+}
+
+// The unit square as n quadrangles as long as it, each of two triangles.
+Mesh plate_of_needles(std::size_t n)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for (std::size_t i = 0; i <= n; ++i)
+    for (const double y : {0., 1.}) v.push_back(mesh.add_vertex(Kernel::Point_3(double(i) / double(n), y, 0)));
+  for (std::size_t i = 0; i < 2 * n; i += 2) {
+    mesh.add_face(v[i], v[i + 2], v[i + 3]);
+    mesh.add_face(v[i], v[i + 3], v[i + 1]);
+  }
   return mesh;
 }
 
@@ -326,6 +340,10 @@ int main(int argc, char* argv[])
     compare({"tube with round ends, " + std::to_string(n) + ", one iteration", turned(wall_with_round_ends(), n, true)}, 5000, pairs, 1);
   compare({"cylinder, 20 radii long, 16, one iteration", cylinder}, 5000, pairs, 1);
   compare({"cylinder, 20 radii long, 16", cylinder}, 100000, pairs);
+  std::printf("\n");
+  print_head();
+  for (const std::size_t n : {1000, 4000})
+    compare({"plate of " + std::to_string(2 * n) + " needles", plate_of_needles(n)}, 1000, pairs);
   std::printf("\n");
   print_head();
   for (const double height : {0., .2})

@@ -56,7 +56,8 @@ inline bool has_short_edges_after_collapse(const Remeshing_mesh& mesh, Remeshing
   const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
   const Vector3& q = mesh.position(b);
   const bool is_on_curve = mesh.is_on_curve(a),
-             is_tiny = squared_distance(mesh.position(a), q) < SQUARED_TINY * limits.squared_length;
+             is_tiny = squared_distance(mesh.position(a), q) <
+                       SQUARED_TINY * CGAL::square(grading.field_part(a, b)) * limits.squared_length;
   const double squared_reach = is_on_curve ? 1. : limits.reach * limits.reach;
   const auto is_short = [&](Index k) {
     const Index c = mesh.target(k);
@@ -135,13 +136,15 @@ inline bool is_near_curve(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 }
 
 // Whether faces beside a curve stay fit when the source of h is merged into its target.
-inline bool keeps_faces_at_curves(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Collapse_limits& limits)
+inline bool keeps_faces_at_curves(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, const Grading& grading,
+                                  const Collapse_limits& limits)
 {
   using Index = Remeshing_mesh::Index;
   const Index a = mesh.source(h), b = mesh.source(mesh.opposite(h));
   const Vector3 &p = mesh.position(a), &q = mesh.position(b);
   if (!is_near_curve(mesh, h)) return true;
-  const bool is_locked = mesh.is_on_curve(a) && squared_distance(p, q) < SQUARED_MUCH_TOO_SHORT * limits.squared_length &&
+  const double much_too_short = SQUARED_MUCH_TOO_SHORT * CGAL::square(grading.field_part(a, b)) * limits.squared_length;
+  const bool is_locked = mesh.is_on_curve(a) && squared_distance(p, q) < much_too_short &&
                          mesh.all_around(a, [&](Index k) { return mesh.is_on_curve(mesh.target(k)) && mesh.is_on_curve(mesh.apex(k)); });
   double before = 1, after = 1;
   // Whether the edge between b and u is on a curve, once b has taken the edges of a over.
@@ -198,7 +201,8 @@ inline bool is_collapse_allowed(const Remeshing_context& context, Remeshing_mesh
   const Remeshing_mesh& mesh = context.mesh;
   if (mesh.is_on_curve(mesh.source(h)) && !(context.may_collapse_constraints && keeps_curve(context, h))) return false;
   return is_collapse_fit(mesh, h, context.grading, limits) && mesh.is_collapse_legal(h) &&
-         (!mesh.has_curves() || keeps_faces_at_curves(mesh, h, limits)) && !makes_fold(context, h) && context.permits_collapse(h);
+         (!mesh.has_curves() || keeps_faces_at_curves(mesh, h, context.grading, limits)) && !makes_fold(context, h) &&
+         context.permits_collapse(h);
 }
 
 // The half-edge whose source is to be merged into its target, for the edge of h; NO_COLLAPSE where neither may be.

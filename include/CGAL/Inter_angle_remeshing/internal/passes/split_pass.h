@@ -26,24 +26,36 @@ struct Split_vertex
   Remeshing_mesh::Index vertex, hint, other_hint;
 };
 
-// Before the edge of h is split: where its ends were projected, as far as they are free. One on a curve says nothing
-// about the side of the curve; then the apexes are asked, and at last the input faces that the faces beside descend from.
+// An apex's place on the surface is near enough to an edge to begin from if it is no farther than this part of the edge.
+constexpr double CLOSE_TO_EDGE = 0.01;
+
+// Before the edge of h is split: where its ends were projected, as far as they are free. One on a curve says nothing about the side of the
+// curve; then the apexes are asked, or, where these are from farther away, the input faces that the faces beside descend from: an apex that
+// this pass has made has not been projected yet, and along a strip each would hand on where the first one began.
 inline Split_vertex split_hints(const Remeshing_context& context, Remeshing_mesh::Index h)
 {
   using Index = Remeshing_mesh::Index;
   const Remeshing_mesh& mesh = context.mesh;
+  const Projection& projector = context.projector;
   const Index o = mesh.opposite(h), face = mesh.face(h), across = o >= 0 ? mesh.face(o) : face;
   const auto hints = [&](Index u, Index v) {
     const bool has_u = !mesh.is_on_curve(u), has_v = !mesh.is_on_curve(v);
     return Split_vertex{-1, mesh.hint(has_u ? u : v), has_u || has_v ? mesh.hint(has_v ? v : u) : Index(-1)};
   };
-  Split_vertex result = hints(mesh.origin(h), mesh.target(h));
-  if (result.other_hint >= 0) return result;
-  result = hints(mesh.apex(h), mesh.apex(o >= 0 ? o : h));
-  if (result.other_hint >= 0) return result;
-  const Index source = context.projector.face_of(mesh.face_record(face).source);
-  if (source >= 0) return {-1, source, context.projector.face_of(mesh.face_record(across).source)};
-  return {-1, result.hint, result.hint};
+  const Split_vertex of_ends = hints(mesh.origin(h), mesh.target(h));
+  if (of_ends.other_hint >= 0) return of_ends;
+  const Split_vertex of_apexes = hints(mesh.apex(h), mesh.apex(o >= 0 ? o : h));
+  const Index source = projector.face_of(mesh.face_record(face).source);
+  if (source < 0) return {-1, of_apexes.hint, of_apexes.other_hint >= 0 ? of_apexes.other_hint : of_apexes.hint};
+  const Index source_across = projector.face_of(mesh.face_record(across).source);
+  if (of_apexes.hint < 0 || of_apexes.other_hint < 0) return {-1, source, source_across};
+  const Vector3 middle = 0.5 * (mesh.position(mesh.origin(h)) + mesh.position(mesh.target(h)));
+  const double enough = CLOSE_TO_EDGE * CLOSE_TO_EDGE * mesh.squared_edge_length(h);
+  const auto start = [&](Index of_apex, Index of_source) {
+    const double d = projector.squared_distance_to_face(middle, of_apex);
+    return d <= enough || d <= projector.squared_distance_to_face(middle, of_source) ? of_apex : of_source;
+  };
+  return {-1, start(of_apexes.hint, source), start(of_apexes.other_hint, source_across)};
 }
 
 // New vertices that one task projects; a walk takes about 50 ns.

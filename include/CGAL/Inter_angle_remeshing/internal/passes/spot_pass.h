@@ -136,7 +136,7 @@ private:
     std::vector<Index> long_edges, short_edges;
     for (std::size_t i = 0; i < region_.movable; ++i)
       mesh_.for_each_around(region_.vertices[i], [&](Index h) {
-        if (mesh_.origin(h) > mesh_.target(h)) return;
+        if (!mesh_.is_border(h) && mesh_.origin(h) > mesh_.target(h)) return;     // met from its other end
         const double l = mesh_.squared_edge_length(h);
         if (l > context_.squared_length_limit(mesh_.origin(h), mesh_.target(h))) long_edges.push_back(h);
         if (l < context_.squared_shortness_limit(mesh_.origin(h), mesh_.target(h))) short_edges.push_back(h);

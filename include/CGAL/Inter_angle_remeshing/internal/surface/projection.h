@@ -126,6 +126,11 @@ struct Projection
   {
     return face_of_source == nullptr ? -1 : (*face_of_source)[source];
   }
+  // From q to face f of the surface.
+  double squared_distance_to_face(const Vector3& q, Corner_table::Index f) const
+  {
+    return squared_distance(closest_point_on_face(*surface, factor * q, f).point, factor * q) / (factor * factor);
+  }
   // Whether the face of the hint looks to the same side as the normal: if not, it belongs to another sheet.
   bool is_compatible(Corner_table::Index hint, const Vector3& normal) const
   {
@@ -163,7 +168,7 @@ public:
   Vector3 operator()(const Vector3& p) const
   {
     put(vpm_, vertex_, Point_3(p.x, p.y, p.z));
-    return to_vector3(Point_3(functor_(vertex_)));
+    return internal::to_vector3(Point_3(functor_(vertex_)));
   }
 
 private:
