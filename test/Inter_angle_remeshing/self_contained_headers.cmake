@@ -9,7 +9,8 @@
 string(REPLACE "|" ";" folders "${FOLDERS}")
 string(REPLACE "|" ";" definitions "${DEFINITIONS}")
 list(FILTER definitions EXCLUDE REGEX "^$")
-list(APPEND definitions "slots=" "near=" "far=" "small=char")
+list(APPEND definitions "slots=" "signals=public" "near=" "far=" "small=char" "NEAR=near" "FAR=far" "interface=struct" "DIFFERENCE=11"
+  "ABSOLUTE=1" "RELATIVE=2" "OPAQUE=2" "IGNORE=0" "DELETE=65536" "INFINITE=0xFFFFFFFF")
 list(TRANSFORM definitions PREPEND "-D")
 # The compiler's own folder would come before those of its library.
 list(FILTER folders EXCLUDE REGEX "^(${PACKAGE}|/usr/include|)$")

@@ -26,7 +26,7 @@ class Face_count_steering
   static constexpr std::size_t SIZE = sizeof(EXCESS) / sizeof(EXCESS[0]);
   // Until the count is this near, the mesh is still being coarsened, and says nothing about the length. One that is
   // refined comes from below, where the table does not hold, but the length that the run began with does, within 1%.
-  static constexpr double NEAR = 1.3;
+  static constexpr double CLOSE_RATIO = 1.3;
   // How far the length goes from the first one.
   static constexpr double SHORTEST = 0.88, LONGEST = 1.15;
   // What grading and strips add, and spikes of noise that go late take away, no table knows. From this iteration on, when the mesh has
@@ -47,8 +47,8 @@ public:
       if (clock.iterations() >= FIRST_STEP) length *= (std::max)(SMALLEST_STEP, (std::min)(LARGEST_STEP, std::sqrt(ratio)));
       return;
     }
-    is_refined_ = is_refined_ || ratio < 1 / NEAR;
-    if (is_refined_ || ratio > NEAR || ++steerings_ < 2) return;
+    is_refined_ = is_refined_ || ratio < 1 / CLOSE_RATIO;
+    if (is_refined_ || ratio > CLOSE_RATIO || ++steerings_ < 2) return;
     const double expected = 1.01 * double(wanted_faces) * EXCESS[(std::min)(steerings_ - 2, SIZE - 1)];
     length *= std::sqrt(faces / expected);
     length = (std::max)(SHORTEST * first_target_length_, (std::min)(LONGEST * first_target_length_, length));

@@ -57,7 +57,7 @@ Remeshing_report run_with_projector(const Parameters& parameters, const Exchange
     return run_on_handed_surface(functor.reference_surface(), mls, mesh, run);
   } else if constexpr (std::is_invocable_r<Point_3, const Functor&, const Point_3&>::value)
     return run_with_rule(mesh.unit(), true, [&](const Vector3& p) {
-      return to_vector3(Point_3(functor(Point_3(p.x, p.y, p.z)))); }, run);
+      return internal::to_vector3(Point_3(functor(Point_3(p.x, p.y, p.z)))); }, run);
   else {
     const Carrier_vertex<Functor, Vertex, decltype(parameters.vertex_point_map)> carrier(
       functor, exchange.input_vertices().front(), parameters.vertex_point_map);

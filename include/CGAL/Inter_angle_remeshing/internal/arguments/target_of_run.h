@@ -113,7 +113,7 @@ inline double length_for_faces(const Face_count& count, double area)
 {
   check_face_count(count);
   if (!(area > 0))
-    refuse(REMESHING, std::to_string(count.value) + " faces are wanted of a range without an area; no length makes them");
+    refuse(REMESHING, "the range has no area, and no length makes Face_count(" + std::to_string(count.value) + ") of it");
   return length_for_face_count(area, count.value);
 }
 
@@ -135,7 +135,7 @@ Target read_field(const Field& field, bool is_scaled, Exchange& exchange, Triang
     double l;
     if constexpr (Is_sizing_field<Field, Vertex, TriangleMesh>::value) l = exact_to_double(field.at(v, tmesh));
     else l = exact_to_double(field(Point_3(get(vpm, v))));
-    lengths.push_back(checked_length(l, to_vector3(get(vpm, v))));
+    lengths.push_back(checked_length(l, internal::to_vector3(get(vpm, v))));
   }
   const double unit = is_scaled ? *std::max_element(lengths.begin(), lengths.end()) : mesh.unit();
   for (double& l : lengths) l = (std::min)(LONGEST_LENGTH, l / unit);

@@ -193,7 +193,7 @@ private:
   {
     std::vector<Vector3> loop;
     std::array<Vector3, 3> corners;
-    for (int k = 0; k < 3; ++k) corners[k] = (1 / mesh.unit()) * to_vector3(get(vpm, f.corners[k]));
+    for (int k = 0; k < 3; ++k) corners[k] = (1 / mesh.unit()) * internal::to_vector3(get(vpm, f.corners[k]));
     for (int k = 0; k < 3; ++k) {
       const Vector3 begin = corners[k];
       const double squared_length = squared_distance(begin, corners[(k + 1) % 3]);

@@ -275,7 +275,7 @@ private:
   // Of the user's vertex that is the origin of h.
   Vector3 read_point(vertex_descriptor v, Index h) const
   {
-    const Vector3 q = to_vector3(get(vpm_, v));
+    const Vector3 q = internal::to_vector3(get(vpm_, v));
     if (!is_finite(q))
       refuse(caller_, "a corner of " + name_of_face(std::size_t(h >> 2)) + " has a coordinate that is not finite");
     return q;

@@ -448,7 +448,7 @@ private:
     for (Index v = 0; v < Index(vertex_of_.size()); ++v) {
       if (mesh.input(v) >= 0) {
         const Point_3 old = get(vpm_, vertex_of_[v]);
-        if (mesh.position(v) == (1 / mesh.unit()) * to_vector3(old)) continue;
+        if (mesh.position(v) == (1 / mesh.unit()) * internal::to_vector3(old)) continue;
         old_points_.emplace_back(vertex_of_[v], old);
       }
       const Vector3 p = mesh.unit() * mesh.position(v);

@@ -37,7 +37,7 @@ Surroundings read_surroundings(const Flat_copy<TriangleMesh>& copy, const Triang
 
   Descriptor_index<typename Traits::face_descriptor> is_inside(copy.faces.size());
   for (const auto f : copy.faces) is_inside.insert(f, 0);
-  const auto point = [&](const auto& v) { return (1 / copy.mesh.unit()) * to_vector3(get(vpm, v)); };
+  const auto point = [&](const auto& v) { return (1 / copy.mesh.unit()) * internal::to_vector3(get(vpm, v)); };
   const auto is_triangle = [&](const auto& h) {
     const auto following = next(h, tmesh), last = next(following, tmesh);
     return next(last, tmesh) == h && is_finite(point(target(h, tmesh))) && is_finite(point(target(following, tmesh))) &&

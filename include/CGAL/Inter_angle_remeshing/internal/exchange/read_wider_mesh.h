@@ -52,7 +52,7 @@ Wider_copy<TriangleMesh> read_wider_copy(const Flat_copy<TriangleMesh>& copy, co
   result.nearest_face.resize(faces.size());
   std::iota(result.nearest_face.begin(), result.nearest_face.end(), 0);
   const auto is_around = [&](const auto& v) {
-    return squared_distance((1 / copy.mesh.unit()) * to_vector3(get(vpm, v)), copy.mesh.position(0)) <= FARTHEST * FARTHEST; };
+    return squared_distance((1 / copy.mesh.unit()) * internal::to_vector3(get(vpm, v)), copy.mesh.position(0)) <= FARTHEST * FARTHEST; };
   // The first ring has no more faces than the rim has edges, each further one at most twice as many as the one before.
   Descriptor_index<typename Traits::face_descriptor> is_known(enough + rim + 2 * wanted);
   for (const auto f : faces) is_known.insert(f, 0);

@@ -46,7 +46,7 @@ Vector3 to_vector3(const Point& p, double unit)
 {
   constexpr double FARTHEST = 1e150;
   const auto bounded = [=](double x) { return (std::min)((std::max)(x, -FARTHEST), FARTHEST); };
-  const Vector3 q = (1 / unit) * to_vector3(p);
+  const Vector3 q = (1 / unit) * internal::to_vector3(p);
   return {bounded(q.x), bounded(q.y), bounded(q.z)};
 }
 

@@ -32,7 +32,7 @@ class Angle_descent
   using Index = Remeshing_mesh::Index;
 
   // The longest step, and half of the chord that stands for a curve's tangent, in target lengths.
-  static constexpr double LONGEST_STEP = 0.15, DIFFERENCE = 1e-4;
+  static constexpr double LONGEST_STEP = 0.15, HALF_CHORD = 1e-4;
   // A step goes beyond the zero of the energy's linear model, for E is quadratic there.
   static constexpr double STEP_FACTOR = 1.5;
   static constexpr int TRIALS = 4;
@@ -192,7 +192,7 @@ private:
     const Vector3 g = star_.gradient();
     double low = mesh_.arc_length(ends[0] ^ 1) - t, high = mesh_.arc_length(ends[1] ^ 1) - mesh_.arc_length(ends[1]);
     if (low > high) std::swap(low, high);
-    const double d = DIFFERENCE * length_at(v);
+    const double d = HALF_CHORD * length_at(v);
     const double slope = dot(g, context_.curves.point(curve, t + d) - context_.curves.point(curve, t - d)) / (2 * d);
     if (!(slope != 0)) return false;
     double step = (std::min)(LONGEST_STEP * length_at(v), STEP_FACTOR * energy / std::abs(slope));

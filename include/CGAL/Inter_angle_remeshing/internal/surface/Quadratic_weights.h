@@ -56,7 +56,7 @@ public:
                                                               const std::array<double, 3>& coordinates)
   {
     std::array<Vector3, 3> x;
-    for (int i = 0; i < 3; ++i) x[i] = to_vector3(get(vpm_, corners[i]));
+    for (int i = 0; i < 3; ++i) x[i] = internal::to_vector3(get(vpm_, corners[i]));
     set_unit(x[1] - x[0], x[2] - x[0]);
     weights_.clear();
     for (int i = 0; i < 3; ++i) {
@@ -142,7 +142,7 @@ private:
     offsets_.push_back(offset_of(w, x));
   }
 
-  Vector3 offset_of(vertex_descriptor w, const Vector3& x) const { return inverse_unit_ * (to_vector3(get(vpm_, w)) - x); }
+  Vector3 offset_of(vertex_descriptor w, const Vector3& x) const { return inverse_unit_ * (internal::to_vector3(get(vpm_, w)) - x); }
 
   // Lengths are measured by those of a face with these edges, so that no square of one leaves the range of numbers.
   void set_unit(const Vector3& a, const Vector3& b)
