@@ -41,7 +41,7 @@ public:
   An exception ends the run, passes through, and leaves the user's mesh as it was.
 
   @tparam Profile a `CGAL::Inter_angle_remeshing::Edge_profile` of the mesh that the remesher works on, which is not of
-          the type of the user's
+          the type of the user's; its points are of type `CGAL::Simple_cartesian<double>::Point_3`
   @param profile the configuration around the edge, in the user's units. For a collapse, its source is the vertex to be
          removed and its target the one to be kept; a refusal is followed by the question about the opposite direction,
          where that is possible.

@@ -12,8 +12,8 @@ Derive from `CGAL::Inter_angle_remeshing::Default_visitor` and hide the members 
 is handed over by `std::ref()`, since named parameters are copied.
 
 The mesh that the members see is the one that the remesher works on, a model of `FaceGraph` and not the user's mesh. Its
-points are `get(CGAL::vertex_point, mesh)`, in the user's units. `Vertex` and `Halfedge` are its descriptors; they hold
-until the next operation, no longer. It must not be changed.
+points are `get(CGAL::vertex_point, mesh)`, of type `CGAL::Simple_cartesian<double>::Point_3`, in the user's units. `Vertex` and
+`Halfedge` are its descriptors; they hold until the next operation, no longer. It must not be changed.
 
 All members are called one at a time, whatever the concurrency tag. An exception ends the run, passes through, and
 leaves the user's mesh as it was.

@@ -130,7 +130,8 @@ struct Recipe
   /// passes that fit the faces to the surface by least squares, as a part of the clean-up: the vertices then lie on both
   /// sides of it, and the mean distance falls by a third and more; a second pass gains a percent. Where the surface has more
   /// than twice the faces of the result, two more are made, which gain two. Vertices on the border and on features stay. With 0, and
-  /// `distance_tolerance` 0, every vertex lies on the surface, as with a projection functor that is none of this package's. At most 100.
+  /// `distance_tolerance` 0, every vertex off borders and features lies on the surface, but where it would fold over, as with a projection
+  /// functor that is none of this package's. At most 100.
   unsigned fits = 1;
   /// how strongly the fit holds each vertex at the centre of its neighbors, along the surface, beside the distances that it lowers: the
   /// weight of the square of that way. Less brings the faces nearer to the surface, at the cost of their angles; in (0, 1].

@@ -36,6 +36,7 @@
 #include <cstddef>
 #include <iostream>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -280,10 +281,12 @@ public:
   {
     if (!schedule_.is_verbose) return;
     const Remeshing_report::Angles angles = angle_summary<ConcurrencyTag>(mesh_);
-    std::cout << name << ": " << mesh_.number_of_live_faces() << " faces, angles "
-              << angles.minimum << " to " << angles.maximum << ", average " << angles.average << "; so far "
-              << report_.splits << " splits, " << report_.collapses << " collapses, " << report_.flips << " flips, "
-              << report_.glides << " glides\n";
+    std::ostringstream line;                     // whatever flags the user's stream has
+    line << name << ": " << mesh_.number_of_live_faces() << " faces, angles "
+         << angles.minimum << " to " << angles.maximum << ", average " << angles.average << "; so far "
+         << report_.splits << " splits, " << report_.collapses << " collapses, " << report_.flips << " flips, "
+         << report_.glides << " glides\n";
+    std::cout << line.str();
   }
 
   // Tells the callback, if it does not know it yet, that nothing is left to do.
