@@ -991,6 +991,34 @@ void hulls_keep_their_facets()
   }
 }
 
+// A ball beside such a hull is as round as alone.
+void a_ball_beside_a_hull_stays_round()
+{
+  std::vector<Point> of_hull, of_ball;
+  append_ball(of_hull, 80, .5, Vector(0, 0, 0));
+  append_ball(of_hull, 40, .3, Vector(2, 0, .4));
+  append_ring(of_hull, 20, .4, Vector(0, 1.2, 1), 0);
+  const double radius = .5;
+  append_ball(of_ball, 150, radius, Vector(5, 0, 0));
+  Mesh ball, scene;
+  CGAL::convex_hull_3(of_ball.begin(), of_ball.end(), ball);
+  CGAL::convex_hull_3(of_hull.begin(), of_hull.end(), scene);
+  scene += ball;
+  for(Mesh* m : {&ball, &scene})
+  {
+    IAR::isotropic_remeshing(.025, *m);
+    double off = 0;
+    std::size_t n = 0;
+    for(const auto v : m->vertices())
+      if(m->point(v).x() > 4)
+      {
+        off += std::abs(std::sqrt(CGAL::squared_distance(m->point(v), Point(5, 0, 0))) / radius - 1);
+        ++n;
+      }
+    CHECK_MESSAGE(n > 1000 && off < 1e-3 * double(n), n << ": " << off / double(n));
+  }
+}
+
 // A sheet bent twice, by 90 degrees each, around this radius, in so many facets; its three flats are 1 wide and 2 long.
 Soup bent_sheet(double r, std::size_t facets)
 {
@@ -1422,6 +1450,7 @@ int main()
   vertices_inside_of_a_base_do_not_tilt_it();
   sides_beside_irregular_fillets_bulge_little();
   hulls_keep_their_facets();
+  a_ball_beside_a_hull_stays_round();
   the_border_of_a_flat_is_straight();
   straight_borders_beside_arcs_stay_straight();
   planes_that_meet_stay_planes();

@@ -55,9 +55,9 @@ What has grown and is as flat as a leaf is none, either: of the vertices of edge
 .5% are free ends, more than 10% are free ends or junctions, and over more than 15% of the length of these edges the surface turns by 120
 degrees and more.
 Robots' links that were simplified to some hundred faces, and the hulls of such parts, have few sharp edges, in pieces. By these rules
-none, a model is a CAD model all the same if edges of 30 degrees and more have at least .8% of the length of all edges, s at most 5.5%;
-faces with an angle of less than 10 degrees have at least a fifth of the area; half of it is in at most 29% of the faces; and half of it
-in at most 50 planar polygons. What has grown, or the stairs of a segmentation, is not made of so few.
+none, a model whose faces all hang together is a CAD model, too, if edges of 30 degrees and more have at least .8% of the length of all
+edges, s at most 5.5%; faces with an angle of less than 10 degrees have at least a fifth of the area; half of it is in at most 29% of the
+faces; and half of it in at most 50 planar polygons. What has grown, or the stairs of a segmentation, is not made of so few.
 On a CAD model every edge of 40 degrees and more is a feature. But where two chains of them are the sides of a strip, one face
 across and narrower than a twentieth of the length, over which the surface turns to one side by less than 120 degrees, as at a
 small bevel, only the sharper one is; unless such a strip lies on the other side of the weaker one, too, and that between both

@@ -152,7 +152,7 @@ private:
     const Parts parts = find_parts();
     count_vertices(candidates);
     is_cad_ = looks_designed(lengths, candidates, parts);
-    if (!is_cad_) look_at_facets(lengths);
+    if (!is_cad_ && parts.area.size() == 1) look_at_facets(lengths);     // of a scene those of one part, however large, say nothing
     has_leaves_ = is_cad_ && are_of_leaves(lengths);
     is_cad_ = is_cad_ && !has_leaves_;
     const Jagged_chamfers chamfers(normals_, candidates);

@@ -16,7 +16,8 @@
 #include <vector>
 
 // A scene may hold a machine part beside something that has grown: all in all no CAD model, and the part's few edges go under among the
-// others. Each of its components that is one on its own keeps its features, and its facets; one with smooth curves these.
+// others. Each of its components that is one on its own keeps its features, and its facets; one with smooth curves the former, and one with
+// uneven facets the latter.
 
 namespace CGAL {
 namespace Inter_angle_remeshing {
@@ -25,7 +26,7 @@ namespace internal {
 struct Features_with_parts
 {
   std::vector<Remeshing_mesh::Index> edges;      // one half-edge of each feature
-  std::vector<Remeshing_mesh::Index> faces;      // of the components that are CAD models, where the mesh as a whole is none
+  std::vector<Remeshing_mesh::Index> faces;      // of the components that are CAD models, or facets, where the mesh as a whole is none
 };
 
 // Whether a part is large enough to be a CAD model on its own: a cube of less than twice the target length is a few faces, sharp or not.
@@ -61,9 +62,9 @@ public:
       if (!is_large_part(part, *std::max_element(lengths_in_part.begin(), lengths_in_part.end()))) continue;
       Feature_detector detector(part, length);
       const Model_kind& kind = detector.kind();
+      if (kind.is_cad() || kind.has_uneven_facets()) result.faces.insert(result.faces.end(), faces.begin(), faces.end());
       if (!kind.is_cad() && kind.smooth_curves().empty()) continue;
       for (const Index h : find(detector, lengths_in_part)) result.edges.push_back(4 * faces[h >> 2] + (h & 3));
-      if (kind.is_cad()) result.faces.insert(result.faces.end(), faces.begin(), faces.end());
     }
     return result;
   }

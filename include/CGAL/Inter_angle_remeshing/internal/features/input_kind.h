@@ -30,7 +30,7 @@ struct Input_kind
   std::size_t feature_edges;
   double saddle_excess;          // how noisy it is, see Model_kind::saddle_excess()
   Rounded_edges rounded_edges;   // among the features
-  std::vector<char> is_in_cad_part;      // by face of the range: of a component that is a CAD model; empty where none is
+  std::vector<char> is_in_faceted_part;      // by face of the range: of a component that is so alone; empty where none is
 };
 
 // The `target` is in the units of the mesh, as is the `mean_length` of its edges. Nothing is found where the input is not looked at, as

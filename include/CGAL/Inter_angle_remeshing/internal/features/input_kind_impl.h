@@ -99,8 +99,8 @@ Found_in_input look_at_input(const Remeshing_mesh& mesh, const Remeshing_mesh& s
   result.edges = std::move(found.edges);
   for (const Index f : found.faces) {
     if (f >= Index(mesh.number_of_face_slots())) continue;
-    kind.is_in_cad_part.resize(mesh.number_of_face_slots());
-    kind.is_in_cad_part[mesh.face_record(f).source] = 1;
+    kind.is_in_faceted_part.resize(mesh.number_of_face_slots());
+    kind.is_in_faceted_part[mesh.face_record(f).source] = 1;
   }
   const std::vector<Index> marked = features_of(mesh);
   std::vector<Index> features;

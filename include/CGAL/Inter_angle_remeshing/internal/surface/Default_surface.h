@@ -41,8 +41,8 @@ struct Default_surface
       smallest_part = *std::min_element(parts.begin(), parts.end());
     }
     std::vector<char> is_flat(facets.number_of_faces(), 0);
-    for (std::size_t f = 0; f < is_flat.size() && !kind.is_in_cad_part.empty(); ++f)
-      is_flat[f] = kind.is_in_cad_part[facets.face_record(Remeshing_mesh::Index(f)).source];
+    for (std::size_t f = 0; f < is_flat.size() && !kind.is_in_faceted_part.empty(); ++f)
+      is_flat[f] = kind.is_in_faceted_part[facets.face_record(Remeshing_mesh::Index(f)).source];
     double all = 0, large_ones = 0;
     for (Remeshing_mesh::Index f = 0; f < Remeshing_mesh::Index(facets.number_of_faces()); ++f) {
       const double area = length(facets.cross_product(f));
