@@ -113,7 +113,7 @@ inline double length_for_faces(const Face_count& count, double area)
 {
   check_face_count(count);
   if (!(area > 0))
-    refuse(REMESHING, "the range has no area, and no length makes Face_count(" + std::to_string(count.value) + ") of it");
+    refuse(REMESHING, "no length makes Face_count(" + std::to_string(count.value) + ") of a range without an area");
   return length_for_face_count(area, count.value);
 }
 
