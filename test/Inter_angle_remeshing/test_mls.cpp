@@ -960,8 +960,8 @@ void append_ring(std::vector<Point>& points, int n, double radius, const Vector&
   }
 }
 
-// Hulls of balls and discs that lie apart, as those of robots' links: few large facets beside small ones, and sharp edges that end where the
-// facets turn less. They were rounded by up to 2.7 target lengths.
+// Hulls of balls and discs that lie apart, as those of robots' links: few large facets beside small ones, and sharp edges that end where
+// the facets turn less. They were rounded by up to 1.8 target lengths.
 void hulls_keep_their_facets()
 {
   for(const double d : {1., 2., 3.})

@@ -46,8 +46,8 @@ class Model_kind
   static constexpr std::size_t LONG_RING = 9;
   // The edges in between may be so many times as long as sharp ones that form a network.
   static constexpr double MOST_MILD = 3.5;
-  // Edges lie on planar parts if this part of their length is on what hangs together and is plane over this part of its area. What has grown,
-  // with as many sharp edges, is so mostly over less than a quarter.
+  // Edges lie on planar parts if this part of their length is on what hangs together and is plane over this part of its area. What has
+  // grown, with as many sharp edges, is so mostly over less than a quarter.
   static constexpr double SHARE_ON_PLANAR_PARTS = 0.75, LEAST_PLANAR_SHARE = 0.35;
   // Sharp edges are those of noise where so many of their vertices are saddles, and this part of all.
   static constexpr std::size_t LEAST_SADDLES = 50;
@@ -173,6 +173,7 @@ private:
     bool are_mostly_flat = false;        // more than half of the edges, by number
   };
 
+  // Of a model that does not look designed otherwise.
   void look_at_facets(const Lengths& lengths)
   {
     if (length_of(sharp_edges_) < LEAST_BENT_SHARE * lengths.all) return;

@@ -28,9 +28,9 @@ class Uneven_facets
   using Index = Remeshing_mesh::Index;
 
   // The part of the area that is in very thin faces at least, and the part of the faces, the largest ones, that half of the area is in
-  // at most. What has grown has, however it was simplified, less of the former or more of the latter.
+  // at most. What has grown has less of the former or more of the latter, but for a few models, on which the facets are right, too.
   static constexpr double LEAST_THIN_SHARE = 0.2, MOST_LARGE_SHARE = 0.29;
-  // So many planar polygons, at most, are few if half of the area is in them: stairs of voxels have four times as many.
+  // So many planar polygons, at most, are few if half of the area is in them: simplified stairs of voxels have nearly four times as many.
   static constexpr std::size_t FEW = 50;
 
 public:

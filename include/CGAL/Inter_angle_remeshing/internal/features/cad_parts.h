@@ -26,7 +26,7 @@ namespace internal {
 struct Features_with_parts
 {
   std::vector<Remeshing_mesh::Index> edges;      // one half-edge of each feature
-  std::vector<Remeshing_mesh::Index> faces;      // of the components that are CAD models, or facets, where the mesh as a whole is none
+  std::vector<Remeshing_mesh::Index> faces;      // of the components that are CAD models or uneven facets, where the mesh is neither
 };
 
 // Whether a part is large enough to be a CAD model on its own: a cube of less than twice the target length is a few faces, sharp or not.
@@ -45,7 +45,8 @@ public:
     : mesh_(mesh), face_in_part_(mesh.number_of_face_slots(), -1), vertex_in_part_(mesh.number_of_vertex_slots(), -1)
   {}
 
-  // Those of the components that are CAD models, or have smooth curves, and are large enough; none where all faces hang together.
+  // Those of the components that are CAD models, or have smooth curves, or uneven facets, and are large enough; none where all faces hang
+  // together.
   // `find(detector, lengths)` tells the features of one, the target lengths by face being `lengths`; details shorter than `length` or
   // than the edges of the component are none.
   template <class Find>

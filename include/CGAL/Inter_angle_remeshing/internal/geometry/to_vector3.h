@@ -33,7 +33,8 @@ double exact_to_double(const Number& x)
   return CGAL::to_double(x);
 }
 
-// From a point or vector of any kernel.
+// From a point or vector of any kernel, or of an application's own type. The namespace of that may have a function by this name, too: to be
+// called with the package's.
 template <class Triple>
 Vector3 to_vector3(const Triple& t)
 {
