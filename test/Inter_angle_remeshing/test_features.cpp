@@ -921,6 +921,25 @@ void vertices_of_found_features_stay_where_asked_for()
 
 // What the user marks stays straight where the surface between coarse facets is a smooth one: by an edge map, and as the border of
 // patches, beside features that are found.
+// collapse_constraints(false) speaks of what is marked and of the border.
+void found_features_are_collapsed_in_any_case()
+{
+  const Mesh input = meshes::to_mesh<Mesh>(meshes::turned({{1, 0}, {1, 2}}, 64, false));
+  for(const double length : {.2, .4})
+  {
+    Mesh by_default = input, kept = input, marked = input;
+    const IAR::Remeshing_report r = IAR::isotropic_remeshing(length, by_default);
+    const IAR::Remeshing_report s = IAR::isotropic_remeshing(length, kept, parameters::collapse_constraints(false));
+    CHECK(r.feature_edges == 128 && s.feature_edges == 128);
+    CHECK_MESSAGE(double(s.output_faces) < 1.1 * double(r.output_faces) && s.angles_after.minimum > 30,
+                  r.output_faces << ", " << s.output_faces << ", " << s.angles_after.minimum);
+    const Edge_map map = marked.add_property_map<Edge, bool>("e:marked", false).first;
+    PMP::detect_sharp_edges(marked, 40, map);
+    IAR::isotropic_remeshing(length, marked, parameters::edge_is_constrained_map(map).collapse_constraints(false));
+    CHECK(std::count_if(marked.edges_begin(), marked.edges_end(), [&](Edge e) { return map[e]; }) >= 128);
+  }
+}
+
 void borders_of_patches_stay_on_their_polylines()
 {
   const Mesh input = meshes::to_mesh<Mesh>(meshes::sphere(2));
@@ -3530,6 +3549,7 @@ int main()
   curves_stay_on_their_polylines();
   sliding_can_be_turned_off();
   vertices_of_found_features_stay_where_asked_for();
+  found_features_are_collapsed_in_any_case();
   borders_of_patches_stay_on_their_polylines();
   corners_stay();
   rims_stay_closed_and_become_round();

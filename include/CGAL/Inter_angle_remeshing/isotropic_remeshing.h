@@ -153,7 +153,8 @@ number of faces of the range and of the result, per iteration; at vertices with 
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{collapse_constraints}
-    \cgalParamDescription{whether constrained edges and edges of the border may be collapsed}
+    \cgalParamDescription{whether constrained edges and edges of the border may be collapsed; features that are found by themselves
+                          may be in any case}
     \cgalParamType{bool}
     \cgalParamDefault{`true`}
   \cgalParamNEnd

@@ -81,8 +81,7 @@ public:
     context_.grading.read<ConcurrencyTag>(mesh_, context_.sizing, context_.locator, context_.target_length);
     context_.grading.sink_at_necks(mesh_, necks, context_.target_length, recipe_.grading);
     if (!(context_.grading_rate > 0)) return;
-    const bool are_curves_settled = clock_.iterations() >= SETTLED_CURVES || !context_.may_collapse_constraints ||
-                                    context_.collapse_rule.is_never();
+    const bool are_curves_settled = clock_.iterations() >= SETTLED_CURVES || context_.collapse_rule.is_never();
     context_.grading.sink_at_curves(mesh_, context_.target_length, context_.grading_rate, [&](Index v) {
       return are_curves_settled || !has_surplus_curve_edge(context_, v); });
   }

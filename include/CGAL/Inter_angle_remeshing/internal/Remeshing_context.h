@@ -121,6 +121,11 @@ struct Remeshing_context
   bool permits_collapse(Index h) const { return permits(collapse_rule, h, false); }
   bool permits_flip(Index h, bool is_transient) const { return permits(flip_rule, h, is_transient); }
 
+  // Whether the edge of h, on a curve, may be collapsed: the user may deny that for the border and for what is marked.
+  bool may_collapse_along_curve(Index h) const
+  {
+    return may_collapse_constraints || mesh.has_flag(h < 0 ? ~h : h, Remeshing_mesh::FOUND);
+  }
 private:
   bool permits(const Edge_rule& rule, Index h, bool is_transient) const
   {

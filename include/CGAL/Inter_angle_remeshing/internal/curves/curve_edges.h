@@ -160,7 +160,7 @@ inline bool has_surplus_curve_edge(const Remeshing_context& context, Remeshing_m
 {
   bool result = false;
   for_each_curve_halfedge(context.mesh, v, [&](Remeshing_mesh::Index h) {
-    result = result || (is_too_short_on_curve(context, h < 0 ? ~h : h) && keeps_curve(context, h));
+    result = result || (context.may_collapse_along_curve(h) && is_too_short_on_curve(context, h < 0 ? ~h : h) && keeps_curve(context, h));
   });
   return result;
 }

@@ -199,7 +199,7 @@ inline bool makes_fold(const Remeshing_context& context, Remeshing_mesh::Index h
 inline bool is_collapse_allowed(const Remeshing_context& context, Remeshing_mesh::Index h, const Collapse_limits& limits)
 {
   const Remeshing_mesh& mesh = context.mesh;
-  if (mesh.is_on_curve(mesh.source(h)) && !(context.may_collapse_constraints && keeps_curve(context, h))) return false;
+  if (mesh.is_on_curve(mesh.source(h)) && !(context.may_collapse_along_curve(h) && keeps_curve(context, h))) return false;
   return is_collapse_fit(mesh, h, context.grading, limits) && mesh.is_collapse_legal(h) &&
          (!mesh.has_curves() || keeps_faces_at_curves(mesh, h, context.grading, limits)) && !makes_fold(context, h) &&
          context.permits_collapse(h);

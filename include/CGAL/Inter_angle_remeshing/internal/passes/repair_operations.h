@@ -72,7 +72,7 @@ public:
       const double unit = CGAL::square(context_.length_at(mesh_.origin(h), mesh_.target(h)));
       const double l = mesh_.squared_edge_length(h);
       const bool is_at_curve = mesh_.is_on_curve(mesh_.origin(h)) || mesh_.is_on_curve(mesh_.target(h));
-      const double shortest = mesh_.is_on_curve_edge(h) && !context_.may_collapse_constraints ? SPLIT
+      const double shortest = mesh_.is_on_curve_edge(h) && !context_.may_collapse_along_curve(h) ? SPLIT
                               : is_at_curve ? SPLIT_AT_CURVE : shortest_of_all;
       if (!mesh_.is_on_curve_edge(h) && flip_gain(mesh_, h) <= gain) result.push_back({Kind::flip, h});
       if (l < COLLAPSED * unit) {
