@@ -54,7 +54,8 @@ void wrong(Mesh& mesh, const Mesh& const_mesh, std::vector<int>& numbers)
   remesh(parameters::edge_is_constrained_map(Edge_map<int>()).vertex_is_constrained_map(Vertex_map<char>())
            .face_patch_map(Face_map<std::string>()).do_split([](const auto& edge) { return edge.length() < 1; }).do_collapse(1)
            .do_flip(IAR::Inter_angle_flip_policy<>()).protect_constraints(1).verbose(0).sharpness_angle(40.f)
-           .visitor(IAR::Default_visitor()).callback([](double) { return true; }).projection_functor([](const Point& p) { return p; }));
+           .visitor(IAR::Default_visitor()).callback([](double) { return true; }).projection_functor([](const Point& p) { return p; })
+           .allow_move_functor([](Mesh::Vertex_index, const Point&, const Point&) { return true; }));
   IAR::isotropic_remeshing<CGAL::Parallel_if_available_tag>([](const Point& p) { return 1 + p.x(); }, mesh);
 #endif
 #if HAS_CASE(1)   // expect: edge_is_constrained_map: expected a property map with edges of the mesh as keys
@@ -120,5 +121,8 @@ void wrong(Mesh& mesh, const Mesh& const_mesh, std::vector<int>& numbers)
 #if HAS_CASE(21)  // expect: what follows the mesh must be named parameters
   const unsigned iterations = 5;
   IAR::isotropic_remeshing(.1, mesh, iterations);
+#endif
+#if HAS_CASE(22)  // expect: allow_move_functor: expected a functor
+  remesh(parameters::allow_move_functor([](const Point&) { return true; }));
 #endif
 }

@@ -905,6 +905,95 @@ void what_a_policy_denies_stays_as_it_was()
       CHECK(bits(m.point(v)) == bits(copy.point(v)));
 }
 
+struct Input
+{
+  Soup soup;
+  double length;
+};
+
+// A torus, a square with a border, and a cube, along whose edges vertices slide.
+std::vector<Input> inputs_that_move() { return {{torus(24, 16, .4), .15}, {square(12), .06}, {cube(6), .12}}; }
+
+// Wherever a vertex is asked for, and where it is in the end, it was before, or had leave to go to.
+void vertices_go_where_they_may()
+{
+  for(const auto& [soup, length] : inputs_that_move())
+  {
+    Mesh m = to_mesh<Mesh>(soup);
+    const Mesh copy = m;
+    std::vector<std::set<Kernel::Point_3>> places(copy.number_of_vertices());
+    for(const Vertex v : copy.vertices())
+      places[v].insert(copy.point(v));
+    std::size_t leaves = 0, denials = 0, new_ones = 0;
+    const auto may_move = [&](Vertex v, const Kernel::Point_3& from, const Kernel::Point_3& to)
+    {
+      const bool is_permitted = (to.x() < from.x()) == (to.y() < from.y());
+      ++(is_permitted ? leaves : denials);
+      new_ones += v == Mesh::null_vertex();
+      if(v != Mesh::null_vertex())
+      {
+        CHECK(places[v].count(from) == 1);
+        if(is_permitted)
+          places[v].insert(to);
+      }
+      return is_permitted;
+    };
+    IAR::isotropic_remeshing(length, m, parameters::allow_move_functor(may_move));
+    CHECK(CGAL::is_valid_polygon_mesh(m));
+    CHECK(leaves > 0 && denials > 0 && new_ones > 0);
+    std::size_t moved = 0;
+    for(const Vertex v : m.vertices())
+      if(std::size_t(v) < places.size())
+      {
+        moved += m.point(v) != copy.point(v);
+        CHECK(places[v].count(m.point(v)) == 1);
+      }
+    CHECK(moved > 0);
+  }
+}
+
+// Without leave no vertex of the input moves, onto another surface neither.
+void vertices_without_leave_stay()
+{
+  const auto never = [](Vertex, const Kernel::Point_3&, const Kernel::Point_3&) { return false; };
+  const auto upwards = [](const Kernel::Point_3& p) { return Kernel::Point_3(p.x(), p.y(), p.z() + .05); };
+  for(const auto& [soup, length] : inputs_that_move())
+    for(const bool is_elsewhere : {false, true})
+    {
+      Mesh m = to_mesh<Mesh>(soup);
+      const Mesh copy = m;
+      const Report r = is_elsewhere ? IAR::isotropic_remeshing(length, m, parameters::allow_move_functor(never).projection_functor(upwards))
+                                    : IAR::isotropic_remeshing(length, m, parameters::allow_move_functor(never));
+      CHECK(r.splits > 0 && r.flips > 0 && CGAL::is_valid_polygon_mesh(m));
+      for(const Vertex v : m.vertices())
+        if(std::size_t(v) < copy.number_of_vertices())
+          CHECK(bits(m.point(v)) == bits(copy.point(v)));
+    }
+}
+
+// Leave for all costs next to nothing, a state of the functor's is its own, and the mesh is the user's while it is asked.
+void leave_for_all_is_as_good_as_none()
+{
+  Mesh free = to_mesh<Mesh>(torus(24, 16, .4)), asked = free, by_reference = free;
+  const double length = .15;
+  std::atomic<std::size_t> questions(0);
+  struct Counts
+  {
+    std::atomic<std::size_t>* all;
+    std::size_t own = 0;
+    bool operator()(Vertex, Kernel::Point_3, Kernel::Point_3) { ++own; ++*all; return true; }
+  };
+  Counts counts{&questions};
+  const Report r = IAR::isotropic_remeshing(length, free);
+  const Report s = IAR::isotropic_remeshing<CGAL::Parallel_if_available_tag>(length, asked, parameters::allow_move_functor(counts));
+  CHECK(questions > 0 && counts.own == 0);
+  IAR::isotropic_remeshing(length, by_reference, parameters::allow_move_functor(std::ref(counts)));
+  CHECK(counts.own > 0 && questions == 2 * counts.own);
+  CHECK(Picture<Mesh>(asked) == Picture<Mesh>(by_reference));
+  CHECK_MESSAGE(s.angles_after.average > r.angles_after.average - 1 && s.angles_after.minimum > 40,
+                r.angles_after.average << ", " << s.angles_after.average << ", " << s.angles_after.minimum);
+}
+
 void transient_flips_are_asked_for_as_such()
 {
   const auto run = [](unsigned glide_depth)
@@ -999,6 +1088,9 @@ int main()
   without_a_length_no_target_is_known();
   input_vertices_are_the_users_and_new_ones_have_none();
   what_a_policy_denies_stays_as_it_was();
+  vertices_go_where_they_may();
+  vertices_without_leave_stay();
+  leave_for_all_is_as_good_as_none();
   transient_flips_are_asked_for_as_such();
   the_papers_recipe_has_the_papers_rules();
   rules_are_kept_at_any_scale();

@@ -10,7 +10,7 @@ The concept `RemeshingPolicy` describes what permits or forbids one kind of oper
 and `do_flip`, where they are not a `bool`.
 
 An edge comes before the policy when the mechanism has *nominated* it (it is too long, too short, or its flip makes
-the valences more regular) and found the operation *legal*: it keeps the mesh manifold, breaks no constraint and
+the valences more regular or, where vertices do not move, an angle larger) and found the operation *legal*: it keeps the mesh manifold, breaks no constraint and
 turns no face over. Those are not the policy's business, and it cannot overrule them. After the last iteration, and where a number
 of faces is wanted, edges are nominated for what else they could mend: bad angles, folds, distances, the count.
 

@@ -76,7 +76,7 @@ number of faces of the range and of the result, per iteration; at vertices with 
   \cgalParamNEnd
   \cgalParamNBegin{number_of_relaxation_steps}
     \cgalParamDescription{the number of sweeps of relaxation in each iteration; with 0 no vertex moves but onto the surface: what the
-      clean-up would do by moving vertices, and coarser levels, are off, too}
+      clean-up would do by moving vertices, and coarser levels, are off, too, and edges are flipped for the angles, not for the valences}
     \cgalParamType{a number type; a fraction is dropped}
     \cgalParamDefault{`Recipe::sweeps`, in the last two iterations `Recipe::last_sweeps`}
   \cgalParamNEnd
@@ -92,9 +92,19 @@ number of faces of the range and of the result, per iteration; at vertices with 
   \cgalParamNEnd
   \cgalParamNBegin{do_flip}
     \cgalParamDescription{whether edges are flipped: a `bool`, or a policy that is asked for each edge whose flip would
-                          make the valences more regular}
+                          make the valences more regular or, where vertices do not move, the smallest angle of its two faces larger}
     \cgalParamType{`bool`, or a model of `RemeshingPolicy`}
     \cgalParamDefault{`Inter_angle_flip_policy`, as `Recipe::policies` has it}
+  \cgalParamNEnd
+  \cgalParamNBegin{allow_move_functor}
+    \cgalParamDescription{whether a vertex may move from one place to another: asked before each step that a vertex takes, to where
+                          it ends, on the surface mostly; called concurrently with `Parallel_tag`. The vertex is one of the input,
+                          or a null vertex where it is new. Its points are of the value type of the vertex point map. A step that is denied
+                          may be tried again with a half of its length; one that was allowed may be taken back. New vertices
+                          are put into their places without a question. Coarser levels are off, and edges are flipped for the angles, not
+                          for the valences. Hand a functor with a state over by `std::ref`.}
+    \cgalParamType{a functor `bool operator()(vertex_descriptor, const Point_3&, const Point_3&)`}
+    \cgalParamDefault{all moves are allowed}
   \cgalParamNEnd
   \cgalParamNBegin{do_project}
     \cgalParamDescription{whether vertices are pulled back onto a surface; else they stay where tangential steps lead, and fine

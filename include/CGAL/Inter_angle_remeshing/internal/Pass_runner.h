@@ -59,7 +59,7 @@ class Pass_runner
 public:
   Pass_runner(Remeshing_context& context, const Schedule& schedule, Run_clock& clock, Remeshing_report& report)
     : context_(context), mesh_(context.mesh), recipe_(context.recipe), schedule_(schedule), clock_(clock), report_(report),
-      relaxation_(context.recipe, context.curves, context.grading, context.moves_spikes ? context.noise : 0.,
+      relaxation_(context.recipe, context.curves, context.grading, context.move_rule, context.moves_spikes ? context.noise : 0.,
                   has_long_protected_edge(context.mesh, [&](Index u, Index v) { return context.length_at(u, v); }),
                   context.keeps_long_edges())
   {}
@@ -121,10 +121,11 @@ public:
     return collapses + splits;
   }
 
-  // Flips, and glides perhaps, by turns.
+  // Flips, and glides perhaps, by turns. Without sweeps a glide does nothing for the angles.
   void flip(unsigned rounds, bool does_glide)
   {
     if (!goes_on() || context_.flip_rule.is_never()) return;
+    does_glide = does_glide && recipe_.sweeps > 0;
     measure_regular_valences<ConcurrencyTag>(mesh_, recipe_.curvature_valences && clock_.is_half_done());
     std::size_t done = 1;
     for (unsigned round = 0; round < rounds && done > 0; ++round) {
@@ -336,7 +337,7 @@ private:
   {
     if (context_.visitor.listens())
       for (const Mesh_vertex v : vertices(mesh_))
-        if (mesh_.is_free(v.index()) || mesh_.is_sliding(v.index())) function(v);
+        if (mesh_.is_movable(v.index())) function(v);
   }
 
   // Returns what the pass returns, the number of operations.

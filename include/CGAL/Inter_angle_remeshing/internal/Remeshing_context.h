@@ -7,6 +7,7 @@
 
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
 #include <CGAL/Inter_angle_remeshing/internal/Edge_rule.h>
+#include <CGAL/Inter_angle_remeshing/internal/Move_rule.h>
 #include <CGAL/Inter_angle_remeshing/internal/Run_visitor.h>
 #include <CGAL/Inter_angle_remeshing/internal/curves/Input_curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh.h>
@@ -49,6 +50,7 @@ struct Remeshing_context
   Run_visitor& visitor;
   double target_length;                // in the units of the flat mesh
   Edge_rule split_rule = true, collapse_rule = true, flip_rule = true;
+  Move_rule move_rule;
   bool keeps_vertices = false;         // nothing is split or collapsed: the target length is a scale, that of the edges that there are
   bool may_collapse_constraints = true;
   bool may_subdivide = true;           // no rule of the user's says which edges are split, collapsed or flipped
@@ -66,6 +68,8 @@ struct Remeshing_context
 
   // Whether the target length differs from place to place.
   bool is_graded() const { return grading_rate > 0 || has_necks || !sizing.is_uniform(); }
+  // Whether sweeps follow, in which no functor of the user's has a say.
+  bool moves_freely() const { return recipe.sweeps > 0 && !move_rule.is_given(); }
   // Whether there are faces outside of the range; these hold its rim.
   bool has_outside() const { return !surroundings.faces.empty(); }
   // Whether nothing cuts the long edges of needles.
@@ -117,15 +121,17 @@ struct Remeshing_context
     return is_opposite_at(a) || is_opposite_at(b) || is_opposite_at(c);
   }
 
-  bool permits_split(Index h) const { return permits(split_rule, h, false); }
-  bool permits_collapse(Index h) const { return permits(collapse_rule, h, false); }
-  bool permits_flip(Index h, bool is_transient) const { return permits(flip_rule, h, is_transient); }
-
   // Whether the edge of h, on a curve, may be collapsed: the user may deny that for the border and for what is marked.
   bool may_collapse_along_curve(Index h) const
   {
     return may_collapse_constraints || mesh.has_flag(h < 0 ? ~h : h, Remeshing_mesh::FOUND);
   }
+  bool permits_split(Index h) const { return permits(split_rule, h, false); }
+  bool permits_collapse(Index h) const { return permits(collapse_rule, h, false); }
+  bool permits_flip(Index h, bool is_transient) const { return permits(flip_rule, h, is_transient); }
+  // Whether v may move from where it is.
+  bool permits_move(Index v, const Vector3& to) const { return move_rule(mesh, v, mesh.position(v), to); }
+
 private:
   bool permits(const Edge_rule& rule, Index h, bool is_transient) const
   {

@@ -35,13 +35,14 @@ Remeshing_report remesh_by_parameters(const FaceRange& faces, const Length& leng
   auto split = policy_from(get_parameter(np, tags::do_split), default_split_policy(recipe.policies));
   auto collapse = policy_from(get_parameter(np, tags::do_collapse), default_collapse_policy(recipe.policies));
   auto flip = policy_from(get_parameter(np, tags::do_flip), default_flip_policy(recipe.policies));
+  auto allow_move = or_no_map(get_parameter(np, tags::allow_move_functor));
   auto projection = or_no_map(get_parameter(np, tags::projection_functor));
   auto given_visitor = get_parameter(np, tags::visitor);
   auto visitor = visitor_from(given_visitor);
 
   Remeshing_parameters<decltype(vpm), decltype(ecm), decltype(vcm), decltype(fpm), decltype(split),
-                       decltype(collapse), decltype(flip), decltype(projection), decltype(visitor)>
-    parameters{vpm, ecm, vcm, fpm, split, collapse, flip, projection, visitor, recipe,
+                       decltype(collapse), decltype(flip), decltype(allow_move), decltype(projection), decltype(visitor)>
+    parameters{vpm, ecm, vcm, fpm, split, collapse, flip, allow_move, projection, visitor, recipe,
                Schedule{count_from(choose_parameter(get_parameter(np, tags::number_of_iterations), 10u), "number_of_iterations"), 0,
                         callback_from(get_parameter(np, tags::callback)),
                         bool(choose_parameter(get_parameter(np, tags::verbose), false))},

@@ -42,7 +42,7 @@ namespace internal {
 
 // Everything that isotropic_remeshing() reads from its named parameters.
 template <class VertexPointMap, class EdgeIsConstrainedMap, class VertexIsConstrainedMap, class PatchMap,
-          class SplitPolicy, class CollapsePolicy, class FlipPolicy, class ProjectionFunctor, class Visitor>
+          class SplitPolicy, class CollapsePolicy, class FlipPolicy, class MoveFunctor, class ProjectionFunctor, class Visitor>
 struct Remeshing_parameters
 {
   VertexPointMap vertex_point_map;
@@ -52,6 +52,7 @@ struct Remeshing_parameters
   SplitPolicy split_policy;
   CollapsePolicy collapse_policy;
   FlipPolicy flip_policy;
+  MoveFunctor allow_move_functor;
   ProjectionFunctor projection_functor;
   Visitor& visitor;                      // a Run_visitor
   Recipe recipe;
@@ -143,8 +144,13 @@ void set_rules(Remeshing_context& context, const Parameters& parameters, const I
   context.split_rule = rule(split_policy(parameters, kind), context.keeps_vertices);
   context.collapse_rule = rule(parameters.collapse_policy, context.keeps_vertices);
   context.flip_rule = rule(parameters.flip_policy, false);
+  if constexpr (!std::is_same<std::decay_t<decltype(parameters.allow_move_functor)>, No_map>::value) {
+    using Point_3 = typename boost::property_traits<decltype(parameters.vertex_point_map)>::value_type;
+    context.move_rule = make_move_rule<Point_3>(parameters.allow_move_functor, input_vertices,
+                                                boost::graph_traits<TriangleMesh>::null_vertex());
+  }
   context.may_collapse_constraints = parameters.may_collapse_constraints;
-  context.may_subdivide = parameters.may_subdivide;
+  context.may_subdivide = parameters.may_subdivide && !context.move_rule.is_given();
   context.release_distance = release_distance(parameters, kind);
 }
 

@@ -138,6 +138,18 @@ constexpr bool is_rule()
          std::is_invocable_r<bool, const Given&, const Run_profile<Vertex>&>::value;
 }
 
+// A functor may have a state that it changes.
+template <class Given, class Vertex, class Points>
+constexpr bool is_move_functor()
+{
+  using Functor = std::decay_t<Given>;
+  if constexpr (std::is_same<Functor, Not_given>::value) return true;
+  else if constexpr (is_map_of_points<Points, Vertex>()) {
+    using Point = typename boost::property_traits<Points>::value_type;
+    return std::is_invocable_r<bool, Functor&, Vertex, Point, Point>::value;
+  } else return true;
+}
+
 // The last two can be asked only where there are points; where there are none, that is what is told.
 template <class Given, class Vertex, class Points>
 constexpr bool is_projector()
@@ -282,6 +294,10 @@ private:
   static_assert(HAS_FLIPS, "do_flip: expected a bool or a policy `template <class Profile> bool operator()(const Profile&) "
                            "const`.");
 
+  static constexpr bool HAS_MOVES = is_move_functor<Given<CGAL::internal_np::allow_move_functor_t>, Vertex, Points>();
+  static_assert(HAS_MOVES, "allow_move_functor: expected a functor `bool operator()(vertex_descriptor, const Point_3&, const Point_3&)`: "
+                           "whether the vertex may move from the first point to the second.");
+
   static constexpr bool HAS_CALLBACK = is_callback<Given<CGAL::internal_np::callback_t>>();
   static_assert(HAS_CALLBACK, "callback: expected a functor `bool operator()(double)`: progress in, whether to go on out.");
   static constexpr bool HAS_VISITOR = Is_visitor<Given<CGAL::internal_np::visitor_t>>::value;
@@ -298,10 +314,6 @@ private:
   static_assert(HAS_COUNTS, "number_of_iterations, number_of_relaxation_steps: expected a number.");
   static constexpr bool HAS_ANGLE = is_angle<Given<CGAL::internal_np::sharpness_angle_t>>();
   static_assert(HAS_ANGLE, "sharpness_angle: expected a number, in degrees.");
-  static constexpr bool HAS_NOTHING_ELSE = std::is_same<Given<CGAL::internal_np::allow_move_functor_t>, Not_given>::value;
-  static_assert(HAS_NOTHING_ELSE, "isotropic_remeshing(): allow_move_functor is not supported; constrain vertices by "
-                                  "vertex_is_constrained_map.");
-
   static constexpr bool HAS_PROJECTOR = is_projector<Given<CGAL::internal_np::projection_functor_t>, Vertex, Points>();
   static_assert(HAS_PROJECTOR, "projection_functor: expected a functor `Point_3 operator()(vertex_descriptor) const`, as in "
                                "Polygon_mesh_processing, or `Point_3 operator()(const Point_3&) const`.");
@@ -312,9 +324,8 @@ private:
 
 public:
   static constexpr bool IS_PASSED = HAS_TAG && CAN_RUN && HAS_FACES && HAS_LENGTH && HAS_POINTS && HAS_EDGE_MARKS &&
-                                    HAS_VERTEX_MARKS && HAS_PATCHES && HAS_SPLITS && HAS_COLLAPSES && HAS_FLIPS &&
-                                    HAS_PROJECTOR && HAS_CALLBACK && HAS_VISITOR && HAS_BOOLS && HAS_COUNTS && HAS_ANGLE &&
-                                    HAS_NOTHING_ELSE;
+                                    HAS_VERTEX_MARKS && HAS_PATCHES && HAS_SPLITS && HAS_COLLAPSES && HAS_FLIPS && HAS_MOVES &&
+                                    HAS_PROJECTOR && HAS_CALLBACK && HAS_VISITOR && HAS_BOOLS && HAS_COUNTS && HAS_ANGLE;
 };
 
 } // namespace internal

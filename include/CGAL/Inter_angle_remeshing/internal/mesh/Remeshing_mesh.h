@@ -124,6 +124,9 @@ public:
   // Whether v is on a curve and may move along it.
   bool is_sliding(Index v) const { return is_on_curve(v) && (state_[v].marks & (LOCKED | PINNED)) == 0; }
 
+  bool is_movable(Index v) const { return is_free(v) || is_sliding(v); }
+  bool is_held_inside(Index v) const { return !is_free(v) && !is_on_curve(v); }
+
   bool touches_curve(Index f) const
   {
     const auto& v = faces_[f].vertex;

@@ -83,7 +83,7 @@ public:
     double step = 1;
     for (int trial = 0; trial < trials; ++trial, step *= 0.5) {
       const Vector3 q = p + step * way;
-      if (!star_.keeps_orientation(p, q) || star_.value(q) > most) continue;
+      if (!star_.keeps_orientation(p, q) || star_.value(q) > most || !context_.permits_move(v, q)) continue;
       mesh_.position(v) = q;
       return true;
     }
@@ -149,7 +149,7 @@ private:
       Index hint = nearest;
       const Vector3 q = context_.projector(r, hint) + offset;
       if (!context_.projector.is_compatible(hint, normal) || (keeps_area && star_.area(q) > largest_area) ||
-          !is_better(energy, p, q) || !keeps_places(v, p, q))
+          !is_better(energy, p, q) || !keeps_places(v, p, q) || !context_.permits_move(v, q))
         continue;
       mesh_.hint(v) = hint;
       mesh_.position(v) = q;
@@ -200,7 +200,7 @@ private:
       const double shift = slope > 0 ? -step : step;
       if (!(shift > low / 2 && shift < high / 2)) continue;
       const Vector3 q = context_.curves.point(curve, t + shift);
-      if (!is_better(ENOUGH * energy, p, q) || leaves_curve(v, ends, shift, q)) continue;
+      if (!is_better(ENOUGH * energy, p, q) || leaves_curve(v, ends, shift, q) || !context_.permits_move(v, q)) continue;
       for (const Index end : ends) mesh_.arc_length(end) += shift;
       mesh_.position(v) = q;
       return true;

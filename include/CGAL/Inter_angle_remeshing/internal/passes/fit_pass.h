@@ -364,14 +364,16 @@ std::size_t Surface_fit<ConcurrencyTag>::displace()
       const double l = length(displacement_[i]), longest = LONGEST * context_.length_at(data_.order[i]);
       if (l > longest) displacement_[i] = (longest / l) * displacement_[i];
       double before = -1;
-      const auto does_harm = [&](const Vector3& q) {
-        if (!keeps_orientation(i, p, q)) return true;
+      const auto raises_energy = [&](const Vector3& q) {
         if (is_in_band(i, q)) return false;
         if (before < 0) before = energy(i, p);
         return energy(i, q) > before;
       };
+      const auto may_go = [&](const Vector3& q) {
+        return keeps_orientation(i, p, q) && !raises_energy(q) && context_.move_rule(mesh_, data_.order[i], p, q);
+      };
       int trial = 0;
-      for (; trial < TRIALS && does_harm(p + displacement_[i]); ++trial) displacement_[i] = 0.5 * displacement_[i];
+      for (; trial < TRIALS && !may_go(p + displacement_[i]); ++trial) displacement_[i] = 0.5 * displacement_[i];
       if (trial == TRIALS) displacement_[i] = Vector3();
       data_.position[i] += displacement_[i];
     }

@@ -83,7 +83,7 @@ private:
 
   void queue(Index v)
   {
-    if (is_queued_[v] || visits_[v] >= MAXIMUM_VISITS_AT_CURVES || !(mesh_.is_free(v) || mesh_.is_sliding(v))) return;
+    if (is_queued_[v] || visits_[v] >= MAXIMUM_VISITS_AT_CURVES || !mesh_.is_movable(v)) return;
     is_queued_[v] = 1;
     queue_.push_back(v);
   }

@@ -99,7 +99,9 @@ std::size_t projection_pass(Remeshing_context& context)
     if (double(number_of_turned_faces(mesh, ways, part)) > FEW_FACES * double(mesh.number_of_live_faces())) continue;
     for (Index v = 0; v < Index(ways.size()); ++v) {
       if (!mesh.is_vertex(v)) continue;
-      mesh.position(v) += part * ways[v];
+      const Vector3 q = mesh.position(v) + part * ways[v];
+      if (!context.permits_move(v, q)) continue;
+      mesh.position(v) = q;
       mesh.hint(v) = hints[v];
     }
     return ways.size() - std::size_t(std::count(ways.begin(), ways.end(), Vector3()));

@@ -6,6 +6,7 @@
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_PASSES_RELAX_PASS_H
 
 #include <CGAL/Inter_angle_remeshing/Recipe.h>
+#include <CGAL/Inter_angle_remeshing/internal/Move_rule.h>
 #include <CGAL/Inter_angle_remeshing/internal/curves/Input_curves.h>
 #include <CGAL/Inter_angle_remeshing/internal/geometry/thin_angles.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/Sweep_data.h>
@@ -69,9 +70,9 @@ class Relaxation
 public:
   using Index = Sweep_data::Index;
 
-  Relaxation(const Recipe& recipe, const Input_curves& curves, const Grading& grading, double noise, bool has_long_protected_edges,
-             bool keeps_long_edges)
-    : recipe_(recipe), curves_(curves), grading_(grading),
+  Relaxation(const Recipe& recipe, const Input_curves& curves, const Grading& grading, const Move_rule& move_rule, double noise,
+             bool has_long_protected_edges, bool keeps_long_edges)
+    : recipe_(recipe), curves_(curves), grading_(grading), move_rule_(move_rule),
       bound_(noise > LITTLE_NOISE ? (std::max)(LEAST_BOUND, LITTLE_NOISE / noise) : 1.),
       has_long_protected_edges_(has_long_protected_edges), keeps_angles_(keeps_long_edges),
       thin_(keeps_long_edges ? THIN_SQUARED_SINE_OF_KEPT_EDGES : THIN_SQUARED_SINE)
@@ -113,6 +114,7 @@ private:
   Vector3 refresh(std::size_t i);
   Vector3 refresh_normal(std::size_t i);
   void sweep(std::size_t begin, std::size_t end, unsigned number, const Projection& projector);
+  bool may_move(std::size_t i, const Vector3& q) const { return move_rule_(*mesh_, data_.order[i], data_.position[i], q); }
   bool turns_face(std::size_t i, const Vector3& before, const Vector3& after) const;
   bool turns_no_face(std::size_t i, const Vector3& q) const;
   bool keeps_faces(std::size_t i, const Vector3& q, bool is_safe) const;
@@ -127,6 +129,7 @@ private:
   const Recipe& recipe_;
   const Input_curves& curves_;
   const Grading& grading_;
+  const Move_rule& move_rule_;
   const double bound_;                // of ρ, as part of that of a clean mesh
   const bool has_long_protected_edges_;
   const bool keeps_angles_;           // of all stars, not only of those at curves and beside them
@@ -231,7 +234,8 @@ inline Vector3 Relaxation::refresh(std::size_t i)
   const double link_square = l * (2 / std::sqrt(3.)) / data_.valence(i);
   const double bound = has_long_protected_edges_ ? LONG_LINK_EDGE_BESIDE_PROTECTED : LONG_LINK_EDGE;
   const bool has_long_link = s.longest_link_square > bound * bound * link_square;
-  if (flatness < RHO_GUARDED || data_.mobility[i] == Mobility::guarded || (has_long_link && has_long_protected_edges_))
+  if (flatness < RHO_GUARDED || data_.mobility[i] == Mobility::guarded || (has_long_link && has_long_protected_edges_) ||
+      move_rule_.is_given())
     step_factor_[i] = -step_factor_[i];
   safe_step_[i] = SAFE_STEP * SAFE_STEP * flatness * s.smallest_square / (has_long_link ? s.longest_link_square : link_square);
   return s.to_centre;
@@ -335,7 +339,7 @@ BOOST_FORCEINLINE void Relaxation::take_step(std::size_t i, const Vector3& step,
   double factor = 1;
   for (int trial = 0; trial < STEP_TRIALS; ++trial, factor /= 2) {
     const Vector3 q = data_.position[i] + factor * step;
-    if (!(keeps_angles ? keeps_faces(i, q, is_safe) : is_safe || turns_no_face(i, q))) continue;
+    if (!(keeps_angles ? keeps_faces(i, q, is_safe) : is_safe || turns_no_face(i, q)) || !may_move(i, q)) continue;
     data_.position[i] = q;
     return;
   }
@@ -351,7 +355,9 @@ inline void Relaxation::take_guarded_step(std::size_t i, const Vector3& step, co
     const Vector3 q = projector(data_.position[i] + factor * step, hint);
     if (!projector.is_compatible(hint, normal_[i])) continue;
     const bool is_safe = squared_distance(q, data_.position[i]) <= safe_step_[i];
-    if (!(keeps_angles_ || data_.mobility[i] == Mobility::guarded ? keeps_faces(i, q, is_safe) : is_safe || turns_no_face(i, q))) continue;
+    if (!(keeps_angles_ || data_.mobility[i] == Mobility::guarded ? keeps_faces(i, q, is_safe) : is_safe || turns_no_face(i, q)) ||
+        !may_move(i, q))
+      continue;
     data_.position[i] = q;
     data_.hint[i] = hint;
     return;
@@ -394,6 +400,7 @@ inline void Relaxation::slide(std::size_t i)
     if (!keeps_faces(i, q, false)) continue;
     const double deviation = chord_deviation(i, shift, q);
     if (deviation > curve_tolerance_ * grading_.field_part(data_.order[i]) && deviation > chord_deviation(i, 0, p)) continue;
+    if (!may_move(i, q)) continue;
     data_.position[i] = q;
     for (const Index end : ends) mesh_->arc_length(end) += shift;
     return;

@@ -135,7 +135,7 @@ private:
       if (is_announced) collapse(context_, h); else mesh_.collapse(h);
     } else if (operation.kind == Kind::place) {
       const Index v = mesh_.origin(h);
-      mesh_.position(v) = context_.projector(mesh_.position(v), mesh_.hint(v));
+      if (const Vector3 q = context_.projector(mesh_.position(v), mesh_.hint(v)); context_.permits_move(v, q)) mesh_.position(v) = q;
     } else {
       const Split_vertex made = is_announced ? split(context_, h) : split_edge(context_, h);
       project_split_vertices<CGAL::Sequential_tag>(context_, {made});
