@@ -122,7 +122,9 @@ public:
         .collapse_constraints(choose_parameter(parameter(given, tags::collapse_constraints), true))
         .relax_constraints(choose_parameter(parameter(given, tags::relax_constraints), true));
     const auto splits = with<Given, tags::do_split_t>(choices, [&](const auto& np) { return np.do_split(parameter(given, tags::do_split)); });
-    const auto steps = with<Given, tags::number_of_relaxation_steps_t>(splits, [&](const auto& np) {
+    const auto collapses = with<Given, tags::do_collapse_t>(splits, [&](const auto& np) {
+      return np.do_collapse(parameter(given, tags::do_collapse)); });
+    const auto steps = with<Given, tags::number_of_relaxation_steps_t>(collapses, [&](const auto& np) {
       return np.number_of_relaxation_steps(parameter(given, tags::number_of_relaxation_steps)); });
     const auto edges = with<Given, tags::edge_is_constrained_t>(steps, [&](const auto& np) {
       return np.edge_is_constrained_map(boost::make_assoc_property_map(edge_marks_)); });

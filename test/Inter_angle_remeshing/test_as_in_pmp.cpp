@@ -981,6 +981,59 @@ void triangles_are_better()
   }
 }
 
+// A torus of 4320 faces whose points were moved by up to a quarter of its mean edge length or so.
+Mesh shaken_torus()
+{
+  Soup soup = meshes::torus(60, 36, .4);
+  std::mt19937 random(7);
+  for(auto& p : soup.points)
+    for(double& coordinate : p)
+      coordinate += .02 * (std::ldexp(double(random()), -31) - 1);
+  return meshes::to_mesh<Mesh>(soup);
+}
+
+// Where no vertex moves, nothing but flips is left to mend angles.
+void triangles_are_better_without_relaxation()
+{
+  for(const double factor : {.7, 1., 2.})
+  {
+    Mesh ours = shaken_torus(), theirs = ours;
+    const double length = factor * mean_edge_length(ours);
+    Ours::run(ours.faces(), length, ours, parameters::number_of_iterations(5).number_of_relaxation_steps(0));
+    Pmp::run(theirs.faces(), length, theirs, parameters::number_of_iterations(5).number_of_relaxation_steps(0));
+    const Quality a = quality(ours), b = quality(theirs);
+    CHECK_MESSAGE(a.mean_smallest_angle > b.mean_smallest_angle,
+                  factor << ": " << a.mean_smallest_angle << ", " << b.mean_smallest_angle);
+    CHECK_MESSAGE(a.mean > b.mean, factor << ": " << a.mean << ", " << b.mean);
+  }
+}
+
+// Flips do no harm where vertices are held, as they are after a remeshing that left many irregular: the least angle remains about what it
+// was, and so does the mean one of the faces, or it grows.
+void held_vertices_spoil_no_angles()
+{
+  Mesh input = shaken_torus();
+  Pmp::run(input.faces(), mean_edge_length(input), input, parameters::number_of_iterations(2));
+  input.collect_garbage();
+  const Quality before = quality(input);
+  for(const double share : {.5, 1.})
+    for(const bool only_flips : {false, true})
+    {
+      Mesh m = input;
+      const auto is_held = m.add_property_map<Vertex, bool>("v:held", false).first;
+      for(const Vertex v : m.vertices())
+        is_held[v] = share == 1 || m.point(v).x() < 0;
+      Ours::run(m.faces(), mean_edge_length(input), m, parameters::number_of_iterations(3).vertex_is_constrained_map(is_held)
+                                                                   .do_split(!only_flips).do_collapse(!only_flips));
+      const Quality after = quality(m);
+      for(const Vertex v : input.vertices())
+        CHECK(!is_held[v] || (!m.is_removed(v) && m.point(v) == input.point(v)));
+      CHECK_MESSAGE(after.smallest_angle > .6 * before.smallest_angle && after.mean_smallest_angle > before.mean_smallest_angle - .5,
+                    share << ", " << only_flips << ": " << before.smallest_angle << " to " << after.smallest_angle << ", " <<
+                    before.mean_smallest_angle << " to " << after.mean_smallest_angle);
+    }
+}
+
 template <class Engine>
 void check_all()
 {
@@ -1026,5 +1079,7 @@ int main()
   a_face_that_is_no_triangle_is_refused();
   lengths_are_numbers_of_any_type();
   triangles_are_better();
+  triangles_are_better_without_relaxation();
+  held_vertices_spoil_no_angles();
   return result();
 }

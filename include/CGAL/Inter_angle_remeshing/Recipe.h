@@ -58,7 +58,8 @@ struct Recipe
   /// the weights of the centre
   Weights weights = Weights::uniform;
   /// sweeps of relaxation in an iteration; the named parameter `number_of_relaxation_steps` rules over both counts. With 0 there are
-  /// no fit, polish, repair, lowering of distances and coarser levels, either: all of them move vertices.
+  /// no fit, polish, repair, lowering of distances and coarser levels, either: all of them move vertices. Flips then see to the angles,
+  /// and there are no glides.
   unsigned sweeps = 3;
   /// sweeps in each of the last two iterations
   unsigned last_sweeps = 8;

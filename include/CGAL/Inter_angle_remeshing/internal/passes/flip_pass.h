@@ -63,6 +63,14 @@ inline bool keeps_normals_by_flip(const Remeshing_mesh& mesh, Remeshing_mesh::In
          is_cosine_at_least(triangle_cross(d, b, c), sum, FLIP_NORMAL_COSINE);
 }
 
+// Whether a flip makes the smallest angle of the two faces larger by more than a rounding error.
+inline bool widens_angle_by_flip(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  constexpr double NOTICEABLE = 1.0001;
+  const Smallest_angle_by_flip angle = smallest_angle_by_flip(mesh, h);
+  return angle.after > NOTICEABLE * angle.before;
+}
+
 inline bool is_flip_fit(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
 {
   if (!keeps_normals_by_flip(mesh, h)) return false;
@@ -100,12 +108,21 @@ inline bool makes_fold_by_flip(const Remeshing_context& context, Remeshing_mesh:
          !context.is_turned_over(a, b, c) && !context.is_turned_over(b, a, d);
 }
 
-// Where no sweep follows, thin faces would stay.
+// Whether sweeps move the two faces: at most one of their corners is held, curves apart, whose vertices have sweeps and rules of their own.
+inline bool may_faces_move(const Remeshing_mesh& mesh, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh::Index o = mesh.opposite(h);
+  int held_ones = 0;
+  for (const Remeshing_mesh::Index v : {mesh.origin(h), mesh.origin(o), mesh.apex(h), mesh.apex(o)}) held_ones += mesh.is_held_inside(v);
+  return held_ones <= 1;
+}
+
+// Where corners are held, no sweep mends an angle that a flip makes smaller.
 inline bool is_flip_allowed(const Remeshing_context& context, Remeshing_mesh::Index h, bool is_transient)
 {
   const Remeshing_mesh& mesh = context.mesh;
   return mesh.is_flip_legal(h) && is_flip_fit(mesh, h) && !makes_fold_by_flip(context, h) &&
-         (context.recipe.sweeps > 0 || !makes_thin_angle_by_flip(mesh, h)) && context.permits_flip(h, is_transient);
+         (may_faces_move(mesh, h) || widens_angle_by_flip(mesh, h)) && context.permits_flip(h, is_transient);
 }
 
 inline void flip(Remeshing_context& context, Remeshing_mesh::Index h)
@@ -116,7 +133,16 @@ inline void flip(Remeshing_context& context, Remeshing_mesh::Index h)
   context.visitor.after_flip(Mesh_halfedge(mesh.next(h)), mesh);
 }
 
-// Half-edges whose flip would pay: it takes an edge from a vertex of too many, or gives one to a vertex that lacks two. At a
+// Whether a flip pays. Sweeps turn regular valences into good angles; where none follow, or vertices may not move as they want to, it is
+// the angles themselves that count.
+inline bool does_flip_pay(const Remeshing_context& context, Remeshing_mesh::Index h)
+{
+  const Remeshing_mesh& mesh = context.mesh;
+  if (mesh.is_on_curve_edge(h)) return false;
+  return context.moves_freely() && may_faces_move(mesh, h) ? flip_gain(mesh, h) < 0 : widens_angle_by_flip(mesh, h);
+}
+
+// Half-edges whose flip would pay the valences: it takes an edge from a vertex of too many, or gives one to a vertex that lacks two. At a
 // curve each of the sectors may have too many or too few.
 inline void find_paying_flips(const Remeshing_mesh& mesh, Remeshing_mesh::Index v,
                               std::vector<Remeshing_mesh::Index>& found)
@@ -159,7 +185,7 @@ std::size_t flip_pass(Remeshing_context& context, std::vector<Remeshing_mesh::In
   std::stable_partition(candidates.begin(), candidates.end(), [&](Index h) { return !leans_over_by_flip(mesh, h); });
   evaluate_then_apply<ConcurrencyTag>(mesh, candidates,
     [&](Index h) -> bool {
-      return !mesh.is_on_curve_edge(h) && flip_gain(mesh, h) < 0 && is_flip_allowed(context, h, false);
+      return does_flip_pay(context, h) && is_flip_allowed(context, h, false);
     },
     [&](Index h, bool is_to_flip) {
       if (!is_to_flip) return;
@@ -177,7 +203,10 @@ std::size_t flip_pass(Remeshing_context& context)
   const Remeshing_mesh& mesh = context.mesh;
   std::vector<Index> candidates;
   scan_into<ConcurrencyTag>(candidates, mesh.number_of_vertex_slots(), [&](std::size_t v, std::vector<Index>& found) {
-    if (mesh.is_vertex(Index(v))) find_paying_flips(mesh, Index(v), found);
+    if (!mesh.is_vertex(Index(v))) return;
+    if (context.moves_freely()) find_paying_flips(mesh, Index(v), found);
+    if (!context.moves_freely() || mesh.is_held_inside(Index(v)))
+      mesh.for_each_around(Index(v), [&](Index h) { if (does_flip_pay(context, h)) found.push_back(h); });
   });
   return flip_pass<ConcurrencyTag>(context, candidates);
 }
