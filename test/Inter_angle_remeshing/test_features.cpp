@@ -173,11 +173,24 @@ void cad_models_have_all_their_sharp_edges()
 }
 
 // As few facets as 10 to 24 around: they meet at 36 to 15 degrees along lines that are much longer than the sharp edges.
+// Turned, and written with six digits: what has no area then has next to none, and looks anywhere.
+Soup turned_and_rounded(Soup soup)
+{
+  for(auto& p : soup.points)
+  {
+    const std::array<double, 3> q = {.48 * p[0] - .6 * p[1] + .64 * p[2], .36 * p[0] + .8 * p[1] + .48 * p[2], -.8 * p[0] + .6 * p[2]};
+    for(int k = 0; k < 3; ++k)
+      p[k] = std::round(1e6 * q[k]) / 1e6;
+  }
+  return soup;
+}
+
 void faces_without_an_area_hide_no_edge()
 {
-  for(const int n : {1, 4})
+  for(const auto& [n, is_rounded] : {std::pair(1, false), std::pair(4, false), std::pair(1, true), std::pair(3, true), std::pair(7, true)})
   {
-    const Mesh input = meshes::to_mesh<Mesh>(meshes::cube_with_caps(n));
+    const Soup soup = meshes::cube_with_caps(n);
+    const Mesh input = meshes::to_mesh<Mesh>(is_rounded ? turned_and_rounded(soup) : soup);
     CHECK(found_features(input).size() == std::size_t(24 * n));
     for(const bool is_found : {true, false})
     {
@@ -185,8 +198,8 @@ void faces_without_an_area_hide_no_edge()
       const auto report = is_found ? IAR::isotropic_remeshing(.1, m)
                                    : IAR::isotropic_remeshing(.1, m, parameters::sharpness_angle(40));
       CHECK_MESSAGE(report.feature_edges == std::size_t(24 * n), report.feature_edges);
-      CHECK_MESSAGE(invariants::surface_distance(input, m, 10000).hausdorff() < 1e-9, n);
-      CHECK(report.angles_after.minimum > 30);
+      CHECK_MESSAGE(invariants::surface_distance(input, m, 10000).hausdorff() < (is_rounded ? 2e-6 : 1e-9), n);
+      CHECK_MESSAGE(report.angles_after.minimum > 30, n << ", " << is_rounded << ": " << report.angles_after.minimum);
     }
   }
 }

@@ -38,6 +38,9 @@ what will be kept, or to change it before it is handed over as `edge_is_constrai
 .1 to 1.3 microseconds a face, 4 to 9% of a run at the mean edge length (seven models of 2,600 to 75,000 faces). The
 rule in full follows.
 
+A face no higher, over its longest edge, than 4 millionths of the diagonal of the bounding box, or a thousandth of the mean edge if that is
+less, looks as the face beyond that edge: rounding says where it looks itself, as files have six digits of points, or floats.
+
 The dihedral angles tell what kind of model it is. Let `s` be the length of all edges with a dihedral angle of 40 degrees and more,
 `m` that of the edges with 12 to 40 degrees, and `p` that of those among them where both faces go on in their planes, within half a
 degree, over another edge: the facets of a cylinder or another surface of revolution. Let `t` be the part of `s` that belongs to

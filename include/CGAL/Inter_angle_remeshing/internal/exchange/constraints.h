@@ -33,11 +33,12 @@ struct Constraint_settings
   bool finds_features;        // whether sharp edges are found by themselves
 };
 
-// Whether the dihedral angle at h is larger than the bound.
-inline bool is_sharp(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, double cosine)
+// Whether the dihedral angle at h is larger than the bound; faces no higher than `altitude` look as those beyond them.
+inline bool is_sharp(const Remeshing_mesh& mesh, Remeshing_mesh::Index h, double cosine, double altitude = 0)
 {
   if (cosine < -1 || mesh.is_border(h)) return false;
-  const Vector3 m = cross_product_of_surface(mesh, mesh.face(h)), n = cross_product_of_surface(mesh, mesh.face(mesh.opposite(h)));
+  const Vector3 m = cross_product_of_surface(mesh, mesh.face(h), altitude),
+                n = cross_product_of_surface(mesh, mesh.face(mesh.opposite(h)), altitude);
   const double product = squared_length(m) * squared_length(n);
   return product > 0 && dot(m, n) < cosine * std::sqrt(product);
 }
@@ -68,8 +69,9 @@ void mark_constraints(Exchange& exchange, const TriangleMesh& tmesh, const EdgeI
 {
   using Index = Remeshing_mesh::Index;
   Remeshing_mesh& mesh = exchange.mesh();
+  const double altitude = altitude_by_rounding(mesh);
   exchange.for_each_edge([&](Index h, auto user) {
-    bool is_constrained = is_sharp(mesh, h, settings.sharpness_cosine);
+    bool is_constrained = is_sharp(mesh, h, settings.sharpness_cosine, altitude);
     if constexpr (!std::is_same<EdgeIsConstrainedMap, No_map>::value)
       is_constrained = is_constrained || get(ecm, edge(user, tmesh));
     if constexpr (!std::is_same<PatchMap, No_map>::value) {

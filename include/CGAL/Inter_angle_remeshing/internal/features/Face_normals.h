@@ -31,9 +31,10 @@ public:
   explicit Face_normals(const Remeshing_mesh& mesh)
     : mesh_(mesh), normal_(mesh.number_of_face_slots()), doubled_area_(normal_.size())
   {
+    const double altitude = altitude_by_rounding(mesh);
     for (Index f = 0; f < Index(normal_.size()); ++f) {
       doubled_area_[f] = float(internal::length(mesh.cross_product(f)));
-      const Vector3 n = cross_product_of_surface(mesh, f);
+      const Vector3 n = cross_product_of_surface(mesh, f, altitude);
       if (n != Vector3()) normal_[f] = internal::unit(n);
     }
     correct_folded_slivers();

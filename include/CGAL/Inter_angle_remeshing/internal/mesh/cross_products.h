@@ -5,8 +5,12 @@
 #ifndef CGAL_INTER_ANGLE_REMESHING_INTERNAL_MESH_CROSS_PRODUCTS_H
 #define CGAL_INTER_ANGLE_REMESHING_INTERNAL_MESH_CROSS_PRODUCTS_H
 
+#include <CGAL/Inter_angle_remeshing/internal/geometry/Bounding_box.h>
 #include <CGAL/Inter_angle_remeshing/internal/geometry/Vector3.h>
 #include <CGAL/Inter_angle_remeshing/internal/mesh/Remeshing_mesh.h>
+#include <CGAL/Inter_angle_remeshing/internal/mesh/edge_lengths.h>
+
+#include <algorithm>
 
 // Where the surface looks at a face without an area, and at a vertex. CAD systems leave such faces along edges at which the faces of one
 // side have vertices that those of the other side lack.
@@ -23,17 +27,27 @@ inline Remeshing_mesh::Index longest_edge(const Remeshing_mesh& mesh, Remeshing_
   return longest;
 }
 
-// The cross product of face f. One without an area is a part of the face beyond its longest edge, on which it lies, and looks as that
-// does; zero where so many faces in a row have no area.
-inline Vector3 cross_product_of_surface(const Remeshing_mesh& mesh, Remeshing_mesh::Index f)
+// Rounding says where a face looks whose altitude is no more than this: files have six digits of points, or floats. Of a scene of small parts
+// a part of the diagonal would be too much.
+inline double altitude_by_rounding(const Remeshing_mesh& mesh)
+{
+  constexpr double PART_OF_DIAGONAL = 4e-6, PART_OF_EDGE = 1e-3;
+  Bounding_box box;
+  for (const Vector3& p : mesh.positions()) box += p;
+  return (std::min)(PART_OF_DIAGONAL * length(box.high - box.low), PART_OF_EDGE * mean_edge_length(mesh));
+}
+
+// The cross product of face f. One without an area, or no higher than that, is a part of the face beyond its longest edge, on which it
+// lies, and looks as that does; zero where so many faces in a row have none.
+inline Vector3 cross_product_of_surface(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, double altitude)
 {
   constexpr int FARTHEST = 16;
   for (int i = 0; i < FARTHEST && f >= 0; ++i) {
     const Vector3 &a = mesh.position(mesh.origin(4 * f)), &b = mesh.position(mesh.origin(4 * f + 1)),
                   &c = mesh.position(mesh.origin(4 * f + 2));
     const Vector3 n = triangle_cross(a, b, c);
-    if (!is_degenerate(n, a, b, c)) return n;
-    const Remeshing_mesh::Index o = mesh.opposite(longest_edge(mesh, f));
+    const Remeshing_mesh::Index longest = longest_edge(mesh, f), o = mesh.opposite(longest);
+    if (!is_degenerate(n, a, b, c) && squared_length(n) > altitude * altitude * mesh.squared_edge_length(longest)) return n;
     f = o < 0 ? -1 : o >> 2;
   }
   return {};
