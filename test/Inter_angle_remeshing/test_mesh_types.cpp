@@ -395,6 +395,28 @@ public:
     check_validity();
   }
 
+  // The whole mesh, of which one side moves.
+  void move_one_side(double length)
+  {
+    std::size_t new_ones = 0, denials = 0;
+    const auto may_move = [&](Vertex v, const Point_of<Graph>&, const Point_of<Graph>& to)
+    {
+      new_ones += v == boost::graph_traits<Graph>::null_vertex();
+      const bool is_permitted = coordinates(to)[0] < .4567;
+      denials += !is_permitted;
+      return is_permitted;
+    };
+    const auto np = parameters::allow_move_functor(may_move);
+    if constexpr(HAS_OWN_POINTS)
+      IAR::isotropic_remeshing(length, g_, np);
+    else
+      IAR::isotropic_remeshing(length, g_, np.vertex_point_map(points_));
+    for(const Face f : faces(g_))
+      put(patches_, f, 0);
+    check_validity();
+    CHECK(new_ones > 0 && denials > 0);
+  }
+
   // Of a square whose halves are two patches: vertices carry their x and its square, corners the x of their vertex and the number of their half.
   void carry_attributes(double length)
   {
@@ -620,6 +642,14 @@ History history_of_attributes()
 }
 
 template <class Graph, class Place>
+History history_of_moves()
+{
+  Subject<Graph, Place> s(in_floats(meshes::torus(20, 12, .4)));
+  s.move_one_side(.2);
+  return {{"a torus of which one side moves", s.state()}};
+}
+
+template <class Graph, class Place>
 History history()
 {
   History result = history_of_ranges<Graph, Place>();
@@ -630,6 +660,7 @@ History history()
   result.push_back(history_of_a_whole_mesh<Graph, Place>().front());
   result.push_back(history_of_a_sizing_field<Graph, Place>().front());
   result.push_back(history_of_attributes<Graph, Place>().front());
+  result.push_back(history_of_moves<Graph, Place>().front());
   return result;
 }
 

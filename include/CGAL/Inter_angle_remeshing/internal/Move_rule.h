@@ -41,8 +41,8 @@ template <class Point_3, class Functor, class InputVertex>
 Move_rule make_move_rule(const Functor& functor, const std::vector<InputVertex>& input_vertices, InputVertex null_vertex)
 {
   return Move_rule::Function(
-    [functor = functor, &input_vertices, null_vertex](const Remeshing_mesh& mesh, Remeshing_mesh::Index v, const Vector3& from,
-                                            const Vector3& to) mutable {
+    [functor = functor, &input_vertices, null_vertex](const Remeshing_mesh& mesh, Remeshing_mesh::Index v,
+                                                      const Vector3& from, const Vector3& to) mutable {
       const auto point = [&](const Vector3& p) { return Point_3(mesh.unit() * p.x, mesh.unit() * p.y, mesh.unit() * p.z); };
       const Mesh_input_vertex_map<InputVertex> input{&mesh, &input_vertices, null_vertex};
       return bool(functor(get(input, Mesh_vertex(v)), point(from), point(to)));

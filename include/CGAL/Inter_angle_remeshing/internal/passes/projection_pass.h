@@ -100,7 +100,7 @@ std::size_t projection_pass(Remeshing_context& context)
     for (Index v = 0; v < Index(ways.size()); ++v) {
       if (!mesh.is_vertex(v)) continue;
       const Vector3 q = mesh.position(v) + part * ways[v];
-      if (!context.permits_move(v, q)) continue;
+      if (ways[v] != Vector3() && !context.permits_move(v, q)) continue;
       mesh.position(v) = q;
       mesh.hint(v) = hints[v];
     }
