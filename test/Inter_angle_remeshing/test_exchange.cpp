@@ -1277,7 +1277,7 @@ void points_at_the_end_of_double_precision_are_kept()
 // Where in a run something of the user's can fail.
 enum class Place
 {
-  nowhere, split_policy, collapse_policy, flip_policy, projector, callback,
+  nowhere, split_policy, collapse_policy, flip_policy, move_functor, projector, callback,
   start_iteration, end_iteration, start_pass, end_pass, before_split, after_split, before_collapse, after_collapse,
   before_flip, after_flip, before_move, after_move,
   get_point, get_edge, get_vertex, get_face,
@@ -1468,6 +1468,7 @@ struct Workpiece
                  .do_split(Fused_policy{&fuse, Place::split_policy})
                  .do_collapse(Fused_policy{&fuse, Place::collapse_policy})
                  .do_flip(Fused_policy{&fuse, Place::flip_policy}).projection_functor(projector)
+                 .allow_move_functor([this](Vertex_of<Graph>, const Point&, const Point&) { fuse.pass(Place::move_functor); return true; })
                  .callback([this](double) { fuse.pass(Place::callback); return true; })
                  .visitor(Fused_visitor{&fuse})));
   }

@@ -172,7 +172,6 @@ void cad_models_have_all_their_sharp_edges()
   }
 }
 
-// As few facets as 10 to 24 around: they meet at 36 to 15 degrees along lines that are much longer than the sharp edges.
 // Turned, and written with six digits: what has no area then has next to none, and looks anywhere.
 Soup turned_and_rounded(Soup soup)
 {
@@ -202,6 +201,64 @@ void faces_without_an_area_hide_no_edge()
       CHECK_MESSAGE(report.angles_after.minimum > 30, n << ", " << is_rounded << ": " << report.angles_after.minimum);
     }
   }
+}
+
+// Along sharp edges of a cube faces have, on both sides, vertices that those of the other side lack: two faces without an area fill what is
+// between, and share an edge.
+Soup cube_with_double_caps(std::size_t n)
+{
+  Soup soup = meshes::cube(n);
+  using Index = std::size_t;
+  std::map<std::array<Index, 2>, Index> face_of;
+  for(Index f = 0; f < soup.faces.size(); ++f)
+    for(int k = 0; k < 3; ++k)
+      face_of[{soup.faces[f][k], soup.faces[f][(k + 1) % 3]}] = f;
+  const auto normal = [&](Index f) {
+    const auto point = [&](int k) { const auto& p = soup.points[soup.faces[f][k]]; return Point(p[0], p[1], p[2]); };
+    return CGAL::normal(point(0), point(1), point(2));
+  };
+  std::set<Index> used;
+  const auto edges = face_of;
+  for(const auto& [edge, f] : edges)
+  {
+    const auto [a, b] = edge;
+    const Index g = edges.at({b, a});
+    if(used.count(f) > 0 || used.count(g) > 0 || normal(f) * normal(g) != 0)
+      continue;
+    used.insert({f, g});
+    const auto third = [&](Index face, Index u, Index v) {
+      const auto& t = soup.faces[face];
+      return t[0] != u && t[0] != v ? t[0] : t[1] != u && t[1] != v ? t[1] : t[2];
+    };
+    const Index p = third(f, a, b), q = third(g, a, b), c = soup.points.size(), d = c + 1;
+    for(const double share : {.3, .6})
+    {
+      std::array<double, 3> point;
+      for(int k = 0; k < 3; ++k)
+        point[k] = (1 - share) * soup.points[a][k] + share * soup.points[b][k];
+      soup.points.push_back(point);
+    }
+    soup.faces[f] = {a, c, p};
+    soup.faces[g] = {b, d, q};
+    for(const auto& t : {std::array<Index, 3>{c, b, p}, std::array<Index, 3>{d, a, q}, std::array<Index, 3>{a, d, b}, std::array<Index, 3>{b, c, a}})
+      soup.faces.push_back(t);
+  }
+  return soup;
+}
+
+void two_faces_without_an_area_hide_no_edge()
+{
+  for(const int n : {3, 6})
+    for(const bool is_rounded : {false, true})
+    {
+      const Soup soup = cube_with_double_caps(n);
+      const Mesh input = meshes::to_mesh<Mesh>(is_rounded ? turned_and_rounded(soup) : soup);
+      CHECK(soup.faces.size() > meshes::cube(n).faces.size() + 24);
+      CHECK_MESSAGE(found_features(input).size() == std::size_t(12 * n), n << ", " << is_rounded << ": " << found_features(input).size());
+      Mesh m = input;
+      IAR::isotropic_remeshing(.15, m);
+      CHECK_MESSAGE(invariants::surface_distance(input, m, 10000).hausdorff() < 2e-6, n << ", " << is_rounded);
+    }
 }
 
 // Every n-th edge gets one more vertex, where its source is or a little beside it: edges of no length, and faces without an area.
@@ -254,6 +311,7 @@ void without_a_length_features_are_those_of_the_mesh()
   }
 }
 
+// As few facets as 10 to 24 around: they meet at 36 to 15 degrees along lines that are much longer than the sharp edges.
 void cylinders_of_few_facets_are_cad_models()
 {
   const meshes::Profile pipe = {{1, 0}, {1, 6}, {.8, 6}, {.8, 0}}, shaft = {{1, 0}, {1, 4}, {1.5, 4}, {1.5, 5}, {1, 5}, {1, 9}, {.6, 9}, {.6, 14}},
@@ -932,8 +990,6 @@ void vertices_of_found_features_stay_where_asked_for()
   }
 }
 
-// What the user marks stays straight where the surface between coarse facets is a smooth one: by an edge map, and as the border of
-// patches, beside features that are found.
 // collapse_constraints(false) speaks of what is marked and of the border.
 void found_features_are_collapsed_in_any_case()
 {
@@ -953,6 +1009,8 @@ void found_features_are_collapsed_in_any_case()
   }
 }
 
+// What the user marks stays straight where the surface between coarse facets is a smooth one: by an edge map, and as the border of
+// patches, beside features that are found.
 void borders_of_patches_stay_on_their_polylines()
 {
   const Mesh input = meshes::to_mesh<Mesh>(meshes::sphere(2));
@@ -3522,6 +3580,7 @@ int main()
   the_energy_of_angles_has_its_gradient();
   cad_models_have_all_their_sharp_edges();
   faces_without_an_area_hide_no_edge();
+  two_faces_without_an_area_hide_no_edge();
   doubled_points_on_features_are_merged();
   without_a_length_features_are_those_of_the_mesh();
   cylinders_of_few_facets_are_cad_models();

@@ -956,7 +956,7 @@ void vertices_go_where_they_may()
 void vertices_without_leave_stay()
 {
   const auto never = [](Vertex, const Kernel::Point_3&, const Kernel::Point_3&) { return false; };
-  const auto upwards = [](const Kernel::Point_3& p) { return Kernel::Point_3(p.x(), p.y(), p.z() + .05); };
+  const auto upwards = [](const Kernel::Point_3& p) { return Kernel::Point_3(p.x(), p.y(), p.z() + .3); };
   for(const auto& [soup, length] : inputs_that_move())
     for(const bool is_elsewhere : {false, true})
     {

@@ -10,8 +10,8 @@ The concept `RemeshingPolicy` describes what permits or forbids one kind of oper
 and `do_flip`, where they are not a `bool`.
 
 An edge comes before the policy when the mechanism has *nominated* it (it is too long, too short, or its flip makes
-the valences more regular or, where vertices do not move, an angle larger) and found the operation *legal*: it keeps the mesh manifold, breaks no constraint and
-turns no face over. Those are not the policy's business, and it cannot overrule them. After the last iteration, and where a number
+the valences more regular or, where vertices do not move, an angle larger) and found the operation *legal*: it keeps the
+mesh manifold, breaks no constraint and turns no face over. Those are not the policy's business, and it cannot overrule them. After the last iteration, and where a number
 of faces is wanted, edges are nominated for what else they could mend: bad angles, folds, distances, the count.
 
 A policy that is handed over is copied; one with a state that matters afterwards is handed over by `std::ref()`.

@@ -17,7 +17,7 @@ enum class Pass
 {
   split,     ///< edges that are too long
   collapse,  ///< edges that are too short
-  flip,      ///< for more regular valences, in the clean-up, too
+  flip,      ///< for more regular valences or, where vertices do not move, larger angles; in the clean-up, too
   glide,     ///< sequences of flips that bring irregular vertices together
   relax,     ///< vertices move towards the centre of their neighbors, in the clean-up, too
   subdivide, ///< every face is cut into four

@@ -80,7 +80,8 @@ struct Recipe
   /// whether, where the target length is well under that of the input's edges, the iterations run on a coarser level, whose faces
   /// are then cut into four until they have the target length: several times faster, and the vertices are more regular. Levels
   /// are chosen such that they resolve the input; where none does, where most of the mesh would lie near protected edges, or where a
-  /// policy, also the paper's, a `false` in its place, or a grading rules the edges, the iterations run on the target length all the same.
+  /// policy, also the paper's, a `false` in its place, or a grading rules the edges, or a functor the moves, the iterations run on the
+  /// target length all the same.
   bool multi_level = true;
   /// whether edges that the range shares with faces outside of it may be split, as `CGAL::Polygon_mesh_processing::isotropic_remeshing()`
   /// does; those faces are then divided into triangles. It is meant for meshes that are remeshed part by part, where the faces outside

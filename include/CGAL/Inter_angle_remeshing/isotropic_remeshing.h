@@ -100,9 +100,9 @@ number of faces of the range and of the result, per iteration; at vertices with 
     \cgalParamDescription{whether a vertex may move from one place to another: asked before each step that a vertex takes, to where
                           it ends, on the surface mostly; called concurrently with `Parallel_tag`. The vertex is one of the input,
                           or a null vertex where it is new. Its points are of the value type of the vertex point map. A step that is denied
-                          may be tried again with a half of its length; one that was allowed may be taken back. New vertices
+                          may be tried again with less of its length; one that was allowed may be taken back. New vertices
                           are put into their places without a question. Coarser levels are off, and edges are flipped for the angles, not
-                          for the valences. Hand a functor with a state over by `std::ref`.}
+                          for the valences, but for glides. Hand a functor with a state over by `std::ref`.}
     \cgalParamType{a functor `bool operator()(vertex_descriptor, const Point_3&, const Point_3&)`}
     \cgalParamDefault{all moves are allowed}
   \cgalParamNEnd

@@ -29,7 +29,7 @@ public:
   bool is_given() const { return bool(function_); }
   bool operator()(const Remeshing_mesh& mesh, Index v, const Vector3& from, const Vector3& to) const
   {
-    return !function_ || function_(mesh, v, from, to);
+    return !function_ || from == to || function_(mesh, v, from, to);
   }
 
 private:

@@ -53,7 +53,7 @@ struct Remeshing_context
   Move_rule move_rule;
   bool keeps_vertices = false;         // nothing is split or collapsed: the target length is a scale, that of the edges that there are
   bool may_collapse_constraints = true;
-  bool may_subdivide = true;           // no rule of the user's says which edges are split, collapsed or flipped
+  bool may_subdivide = true;           // no rule of the user's says which edges are split, collapsed or flipped, or what moves
   double release_distance = 0;         // of corners of features that may be given up, in target lengths; 0: none may
   double grading_rate = 0;             // at curves; 0: their short edges do not lower the target length
   bool may_have_necks = false;         // which lower the target length around them

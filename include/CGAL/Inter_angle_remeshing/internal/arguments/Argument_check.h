@@ -146,7 +146,7 @@ constexpr bool is_move_functor()
   if constexpr (std::is_same<Functor, Not_given>::value) return true;
   else if constexpr (is_map_of_points<Points, Vertex>()) {
     using Point = typename boost::property_traits<Points>::value_type;
-    return std::is_invocable_r<bool, Functor&, Vertex, Point, Point>::value;
+    return std::is_copy_constructible<Functor>::value && std::is_invocable_r<bool, Functor&, Vertex, Point, Point>::value;
   } else return true;
 }
 
@@ -296,7 +296,8 @@ private:
 
   static constexpr bool HAS_MOVES = is_move_functor<Given<CGAL::internal_np::allow_move_functor_t>, Vertex, Points>();
   static_assert(HAS_MOVES, "allow_move_functor: expected a functor `bool operator()(vertex_descriptor, const Point_3&, const Point_3&)`: "
-                           "whether the vertex may move from the first point to the second.");
+                           "whether the vertex may move from the first point to the second. One that cannot be copied is handed "
+                           "over by std::ref().");
 
   static constexpr bool HAS_CALLBACK = is_callback<Given<CGAL::internal_np::callback_t>>();
   static_assert(HAS_CALLBACK, "callback: expected a functor `bool operator()(double)`: progress in, whether to go on out.");

@@ -19,16 +19,17 @@ namespace CGAL {
 namespace Inter_angle_remeshing {
 namespace internal {
 
-inline Remeshing_mesh::Index longest_edge(const Remeshing_mesh& mesh, Remeshing_mesh::Index f)
+// Of the edges of face f, but for that of `other`.
+inline Remeshing_mesh::Index longest_edge(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, Remeshing_mesh::Index other = -1)
 {
-  Remeshing_mesh::Index longest = 4 * f;
-  for (Remeshing_mesh::Index h = 4 * f + 1; h < 4 * f + 3; ++h)
-    if (mesh.squared_edge_length(h) > mesh.squared_edge_length(longest)) longest = h;
+  Remeshing_mesh::Index longest = 4 * f == other ? 4 * f + 1 : 4 * f;
+  for (Remeshing_mesh::Index h = longest + 1; h < 4 * f + 3; ++h)
+    if (h != other && mesh.squared_edge_length(h) > mesh.squared_edge_length(longest)) longest = h;
   return longest;
 }
 
-// Rounding says where a face looks whose altitude is no more than this: files have six digits of points, or floats. Of a scene of small parts
-// a part of the diagonal would be too much.
+// Rounding says where a face looks whose altitude is no more than this: files have six digits of points, or floats. Of a scene of small
+// parts a part of the diagonal would be too much.
 inline double altitude_by_rounding(const Remeshing_mesh& mesh)
 {
   constexpr double PART_OF_DIAGONAL = 4e-6, PART_OF_EDGE = 1e-3;
@@ -37,18 +38,26 @@ inline double altitude_by_rounding(const Remeshing_mesh& mesh)
   return (std::min)(PART_OF_DIAGONAL * length(box.high - box.low), PART_OF_EDGE * mean_edge_length(mesh));
 }
 
-// The cross product of face f. One without an area, or no higher than that, is a part of the face beyond its longest edge, on which it
-// lies, and looks as that does; zero where so many faces in a row have none.
+// Whether face f is no higher than that, over its longest edge, or than double precision tells.
+inline bool looks_nowhere(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, Remeshing_mesh::Index longest, double altitude)
+{
+  const Vector3 &a = mesh.position(mesh.origin(4 * f)), &b = mesh.position(mesh.origin(4 * f + 1)), &c = mesh.position(mesh.origin(4 * f + 2)),
+                n = triangle_cross(a, b, c);
+  return is_degenerate(n, a, b, c) || !(squared_length(n) > altitude * altitude * mesh.squared_edge_length(longest));
+}
+
+// The cross product of face f. One that looks nowhere is a part of the face beyond its longest edge, on which it lies, and looks as that
+// does; where two share that edge, each looks as the face beyond its second one. Zero where too many in a row look nowhere.
 inline Vector3 cross_product_of_surface(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, double altitude)
 {
+  using Index = Remeshing_mesh::Index;
   constexpr int FARTHEST = 16;
   for (int i = 0; i < FARTHEST && f >= 0; ++i) {
-    const Vector3 &a = mesh.position(mesh.origin(4 * f)), &b = mesh.position(mesh.origin(4 * f + 1)),
-                  &c = mesh.position(mesh.origin(4 * f + 2));
-    const Vector3 n = triangle_cross(a, b, c);
-    const Remeshing_mesh::Index longest = longest_edge(mesh, f), o = mesh.opposite(longest);
-    if (!is_degenerate(n, a, b, c) && squared_length(n) > altitude * altitude * mesh.squared_edge_length(longest)) return n;
-    f = o < 0 ? -1 : o >> 2;
+    const Index longest = longest_edge(mesh, f), o = mesh.opposite(longest);
+    if (!looks_nowhere(mesh, f, longest, altitude)) return mesh.cross_product(f);
+    const bool is_one_of_two = o >= 0 && longest_edge(mesh, o >> 2) == o && looks_nowhere(mesh, o >> 2, o, altitude);
+    const Index beyond = is_one_of_two ? mesh.opposite(longest_edge(mesh, f, longest)) : o;
+    f = beyond < 0 ? -1 : beyond >> 2;
   }
   return {};
 }

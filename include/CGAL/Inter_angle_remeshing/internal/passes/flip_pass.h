@@ -144,8 +144,7 @@ inline bool does_flip_pay(const Remeshing_context& context, Remeshing_mesh::Inde
 
 // Half-edges whose flip would pay the valences: it takes an edge from a vertex of too many, or gives one to a vertex that lacks two. At a
 // curve each of the sectors may have too many or too few.
-inline void find_paying_flips(const Remeshing_mesh& mesh, Remeshing_mesh::Index v,
-                              std::vector<Remeshing_mesh::Index>& found)
+inline void find_flips_for_valences(const Remeshing_mesh& mesh, Remeshing_mesh::Index v, std::vector<Remeshing_mesh::Index>& found)
 {
   using Index = Remeshing_mesh::Index;
   const auto look_at = [&](Index h) { if (!mesh.is_on_curve_edge(h) && flip_gain(mesh, h) < 0) found.push_back(h); };
@@ -161,6 +160,18 @@ inline void find_paying_flips(const Remeshing_mesh& mesh, Remeshing_mesh::Index 
       const Index e = mesh.next(h);
       if (mesh.deviation(mesh.origin(e)) <= 0 && mesh.deviation(mesh.target(e)) <= 0) look_at(e);
     });
+}
+
+// Half-edges around v, and opposite to it, whose flip would pay.
+inline void find_paying_flips(const Remeshing_context& context, Remeshing_mesh::Index v, std::vector<Remeshing_mesh::Index>& found)
+{
+  const Remeshing_mesh& mesh = context.mesh;
+  if (context.moves_freely()) find_flips_for_valences(mesh, v, found);
+  if (context.moves_freely() && !mesh.is_held_inside(v)) return;
+  mesh.for_each_around(v, [&](Remeshing_mesh::Index h) {
+    for (const Remeshing_mesh::Index k : {h, mesh.next(h)})
+      if (does_flip_pay(context, k)) found.push_back(k);
+  });
 }
 
 // Whether a flip in a strip one face wide, between curves, makes the edge across it longer.
@@ -203,10 +214,7 @@ std::size_t flip_pass(Remeshing_context& context)
   const Remeshing_mesh& mesh = context.mesh;
   std::vector<Index> candidates;
   scan_into<ConcurrencyTag>(candidates, mesh.number_of_vertex_slots(), [&](std::size_t v, std::vector<Index>& found) {
-    if (!mesh.is_vertex(Index(v))) return;
-    if (context.moves_freely()) find_paying_flips(mesh, Index(v), found);
-    if (!context.moves_freely() || mesh.is_held_inside(Index(v)))
-      mesh.for_each_around(Index(v), [&](Index h) { if (does_flip_pay(context, h)) found.push_back(h); });
+    if (mesh.is_vertex(Index(v))) find_paying_flips(context, Index(v), found);
   });
   return flip_pass<ConcurrencyTag>(context, candidates);
 }

@@ -70,8 +70,18 @@ Ways_to_surface ways_to_surface(const Remeshing_context& context)
   return result;
 }
 
-// How many faces turn by more than 60 degrees when the vertices go this part of their ways: no step of the sweeps may do that.
-inline std::size_t number_of_turned_faces(const Remeshing_mesh& mesh, const std::vector<Vector3>& ways, double part)
+// This part of the ways, none where the user's functor denies it.
+inline std::vector<Vector3> permitted_steps(const Remeshing_context& context, const std::vector<Vector3>& ways, double part)
+{
+  using Index = Remeshing_mesh::Index;
+  std::vector<Vector3> steps(ways.size());
+  for (Index v = 0; v < Index(ways.size()); ++v)
+    if (ways[v] != Vector3() && context.permits_move(v, context.mesh.position(v) + part * ways[v])) steps[v] = part * ways[v];
+  return steps;
+}
+
+// How many faces turn by more than 60 degrees when the vertices take these steps: no step of the sweeps may do that.
+inline std::size_t number_of_turned_faces(const Remeshing_mesh& mesh, const std::vector<Vector3>& steps)
 {
   using Index = Remeshing_mesh::Index;
   constexpr double TURNED_COSINE = 0.5;
@@ -79,7 +89,7 @@ inline std::size_t number_of_turned_faces(const Remeshing_mesh& mesh, const std:
   for (Index f = 0; f < Index(mesh.number_of_face_slots()); ++f) {
     if (!mesh.is_face(f)) continue;
     const auto& v = mesh.face_record(f).vertex;
-    const auto moved = [&](Index u) { return mesh.position(u) + part * ways[u]; };
+    const auto moved = [&](Index u) { return mesh.position(u) + steps[u]; };
     result += !is_cosine_at_least(mesh.cross_product(f), triangle_cross(moved(v[0]), moved(v[1]), moved(v[2])), TURNED_COSINE);
   }
   return result;
@@ -96,15 +106,14 @@ std::size_t projection_pass(Remeshing_context& context)
   Remeshing_mesh& mesh = context.mesh;
   const auto [ways, hints] = ways_to_surface<ConcurrencyTag>(context);
   for (double part = 1; part >= SHORTEST_PART; part /= 2) {
-    if (double(number_of_turned_faces(mesh, ways, part)) > FEW_FACES * double(mesh.number_of_live_faces())) continue;
-    for (Index v = 0; v < Index(ways.size()); ++v) {
-      if (!mesh.is_vertex(v)) continue;
-      const Vector3 q = mesh.position(v) + part * ways[v];
-      if (ways[v] != Vector3() && !context.permits_move(v, q)) continue;
-      mesh.position(v) = q;
+    const std::vector<Vector3> steps = permitted_steps(context, ways, part);
+    if (double(number_of_turned_faces(mesh, steps)) > FEW_FACES * double(mesh.number_of_live_faces())) continue;
+    for (Index v = 0; v < Index(steps.size()); ++v) {
+      if (!mesh.is_vertex(v) || (steps[v] == Vector3() && ways[v] != Vector3())) continue;
+      mesh.position(v) += steps[v];
       mesh.hint(v) = hints[v];
     }
-    return ways.size() - std::size_t(std::count(ways.begin(), ways.end(), Vector3()));
+    return steps.size() - std::size_t(std::count(steps.begin(), steps.end(), Vector3()));
   }
   return 0;
 }

@@ -157,7 +157,7 @@ private:
   void flip(Remeshing_report& report)
   {
     std::vector<Index> candidates;
-    for (std::size_t i = 0; i < region_.movable; ++i) find_paying_flips(mesh_, region_.vertices[i], candidates);
+    for (std::size_t i = 0; i < region_.movable; ++i) find_paying_flips(context_, region_.vertices[i], candidates);
     report.flips += flip_pass<CGAL::Sequential_tag>(context_, candidates);
   }
 
