@@ -41,8 +41,8 @@ inline double altitude_by_rounding(const Remeshing_mesh& mesh)
 // Whether face f is no higher than that, over its longest edge, or than double precision tells.
 inline bool looks_nowhere(const Remeshing_mesh& mesh, Remeshing_mesh::Index f, Remeshing_mesh::Index longest, double altitude)
 {
-  const Vector3 &a = mesh.position(mesh.origin(4 * f)), &b = mesh.position(mesh.origin(4 * f + 1)), &c = mesh.position(mesh.origin(4 * f + 2)),
-                n = triangle_cross(a, b, c);
+  const Vector3 &a = mesh.position(mesh.origin(4 * f)), &b = mesh.position(mesh.origin(4 * f + 1)),
+                &c = mesh.position(mesh.origin(4 * f + 2)), n = triangle_cross(a, b, c);
   return is_degenerate(n, a, b, c) || !(squared_length(n) > altitude * altitude * mesh.squared_edge_length(longest));
 }
 
