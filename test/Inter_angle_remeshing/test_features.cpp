@@ -256,8 +256,9 @@ void two_faces_without_an_area_hide_no_edge()
       CHECK(soup.faces.size() > meshes::cube(n).faces.size() + 24);
       CHECK_MESSAGE(found_features(input).size() == std::size_t(12 * n), n << ", " << is_rounded << ": " << found_features(input).size());
       Mesh m = input;
-      IAR::isotropic_remeshing(.15, m);
+      const auto report = IAR::isotropic_remeshing(.15, m);
       CHECK_MESSAGE(invariants::surface_distance(input, m, 10000).hausdorff() < 2e-6, n << ", " << is_rounded);
+      CHECK_MESSAGE(report.angles_after.minimum > 30, n << ", " << is_rounded << ": " << report.angles_after.minimum);
     }
 }
 
