@@ -29,18 +29,26 @@ public:
     : graph_(graph)
   {}
 
+  // The edges in between, neither sharp nor flat nor those of facets, may be so many times as long as sharp ones that form a network.
+  static constexpr double MOST_BETWEEN = 3.5;
+
   // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet. Those of a part that was
-  // remeshed coarsely, of few edges each, meet more often; if that was done again and again, they bend more often. Those of one that was
-  // simplified are broken: if much of what they lie on is plane, less need run through. What leads to a free end is dropped.
-  bool is_network(bool is_planar)
+  // remeshed coarsely, of few edges each, meet more often; if that was done again and again, they bend more often. Where much of what they
+  // lie on is plane, of the area by `planar_share`, the others may be curved more finely; where it was simplified, the edges are broken, and
+  // less need run through. Those of many small details, as of screws and vents, meet and bend more often, but there are few edges in
+  // between. These are `between` times as long. What leads to a free end is dropped.
+  bool is_network(double planar_share, double between)
   {
     const Shape shape = look();
-    const double meeting = shape.meeting_share(), bent = shape.bent_share();
-    if (is_planar && shape.runs_through(LEAST_BROKEN_SHARE) && meeting <= LARGEST_BROKEN_MEETING_SHARE && bent <= LARGEST_BENT_SHARE)
-      return true;
-    return shape.runs_through(LEAST_NETWORK_SHARE) &&
-           ((meeting <= LARGEST_MEETING_SHARE && bent <= LARGEST_BENT_SHARE) ||
-            (meeting <= LARGEST_COARSE_MEETING_SHARE && bent <= LARGEST_COARSE_BENT_SHARE) ||
+    const bool is_planar = planar_share >= LEAST_PLANAR_SHARE;
+    if (is_planar && between < MOST_BETWEEN && shape.runs_through(LEAST_BROKEN_SHARE) &&
+        shape.is_within(LARGEST_BROKEN_MEETING_SHARE, LARGEST_BENT_SHARE)) return true;
+    if (!shape.runs_through(LEAST_NETWORK_SHARE)) return false;
+    if (planar_share >= DETAILED_PLANAR_SHARE && between < MOST_BETWEEN_DETAILS &&
+        shape.is_within(LARGEST_DETAILED_MEETING_SHARE, LARGEST_DETAILED_BENT_SHARE)) return true;
+    return between < (is_planar ? MOST_BETWEEN_PLANES : MOST_BETWEEN) &&
+           (shape.is_within(LARGEST_MEETING_SHARE, LARGEST_BENT_SHARE) ||
+            shape.is_within(LARGEST_COARSE_MEETING_SHARE, LARGEST_COARSE_BENT_SHARE) ||
             double(shape.bent + shape.others) <= LARGEST_UNEVEN_SHARE * double(shape.inner + shape.others));
   }
   // The same where curves may bend, as along fillets: paths of edges join them where they meet.
@@ -71,11 +79,16 @@ private:
     bool runs_through(double least_share) const { return share >= least_share && inner >= LEAST_EDGES; }
     double meeting_share() const { return double(others) / double(inner + others); }
     double bent_share() const { return double(bent) / double(inner); }
+    bool is_within(double meeting, double bending) const { return meeting_share() <= meeting && bent_share() <= bending; }
   };
 
   static constexpr std::size_t LEAST_EDGES = 12;       // the ring of fewer turns by 30 degrees at each
   static constexpr double LEAST_NETWORK_SHARE = 0.7, LARGEST_BENT_SHARE = 0.2, LARGEST_MEETING_SHARE = 0.4,
                           LARGEST_COARSE_MEETING_SHARE = 0.5, LARGEST_COARSE_BENT_SHARE = 0.1, LARGEST_UNEVEN_SHARE = 0.33;
+  // The edges lie on planes, or some of what they lie on is plane; what has grown, with as many sharp edges, is so mostly over less than a
+  // quarter.
+  static constexpr double LEAST_PLANAR_SHARE = 0.35, MOST_BETWEEN_PLANES = 5, DETAILED_PLANAR_SHARE = 0.25, MOST_BETWEEN_DETAILS = 1.5,
+                          LARGEST_DETAILED_MEETING_SHARE = 0.7, LARGEST_DETAILED_BENT_SHARE = 0.375;
   // Of a network that simplification broke: robots' links of a thousand faces have .37 at least, and .43 at most.
   static constexpr double LEAST_BROKEN_SHARE = 0.35, LARGEST_BROKEN_MEETING_SHARE = 0.45;
   // Of a network, what is part of smooth curves; of the vertices of such, those of two edges where these turn, and those of more, of which

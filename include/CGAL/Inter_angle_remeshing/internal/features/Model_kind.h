@@ -44,11 +44,6 @@ class Model_kind
   // them, or as a ring of so many edges, between which there are no sharp ones.
   static constexpr double LONG_COMPONENT = 8, LONG_PART = 0.25;
   static constexpr std::size_t LONG_RING = 9;
-  // The edges in between may be so many times as long as sharp ones that form a network.
-  static constexpr double MOST_MILD = 3.5;
-  // Edges lie on planar parts if this part of their length is on what hangs together and is plane over this part of its area. What has
-  // grown, with as many sharp edges, is so mostly over less than a quarter.
-  static constexpr double SHARE_ON_PLANAR_PARTS = 0.75, LEAST_PLANAR_SHARE = 0.35;
   // Sharp edges are those of noise where so many of their vertices are saddles, and this part of all.
   static constexpr std::size_t LEAST_SADDLES = 50;
   static constexpr double NOISE_SHARE = 0.1;
@@ -91,7 +86,7 @@ public:
   {
     if (has_voxel_stairs_ || has_jagged_chamfers_ || has_leaves_ || are_of_noise()) return false;
     const Lengths lengths = measure_edges(n, [](Index, double) {});
-    return lengths.mild - lengths.facets < MOST_MILD * lengths.sharp;
+    return lengths.mild - lengths.facets < Feature_network::MOST_BETWEEN * lengths.sharp;
   }
   // Whether it would be a CAD model, had it sharp edges instead of jagged chamfers.
   bool has_jagged_chamfers() const { return has_jagged_chamfers_; }
@@ -208,16 +203,16 @@ private:
   // Whether the dihedral angles are those of a CAD model, whatever its sharp edges look like.
   bool looks_designed(const Lengths& lengths, const std::vector<Index>& candidates, const Parts& parts) const
   {
-    const double of_long = length_in_long_components(candidates, parts);
-    const auto are_few_mild = [&](double length) { return lengths.mild - lengths.facets < 0.2 * length; };
+    const double of_long = length_in_long_components(candidates, parts), between = lengths.mild - lengths.facets;
+    const auto are_few_mild = [&](double length) { return between < 0.2 * length; };
     const auto is_cad_with = [&](double length) {
       return lengths.mild < 0.5 * length || (lengths.mild < 1.1 * length && lengths.are_mostly_flat) || are_few_mild(length);
     };
     const auto form_network = [&]() {
       Feature_graph graph(mesh_, own_length_, candidates);
-      return Feature_network(graph).is_network(lie_on_planar_parts(candidates, parts));
+      return Feature_network(graph).is_network(planar_share(candidates, parts), between / of_long);
     };
-    return ((is_cad_with(lengths.sharp) && is_cad_with(of_long)) || (lengths.mild < MOST_MILD * of_long && form_network())) &&
+    return ((is_cad_with(lengths.sharp) && is_cad_with(of_long)) || (of_long > 0 && form_network())) &&
            ((are_few_mild(lengths.sharp) && are_few_mild(of_long)) || !are_of_noise());
   }
 
@@ -288,17 +283,17 @@ private:
     return sum;
   }
 
-  // Whether most of the length of these edges is on parts that are plane to a good part. Of a scene one part may be, beside what has grown.
-  bool lie_on_planar_parts(const std::vector<Index>& edges, const Parts& parts) const
+  // How much of the area of the part that an edge lies on is plane, in the mean over the length of these edges.
+  double planar_share(const std::vector<Index>& edges, const Parts& parts) const
   {
-    double all = 0, on_planar_parts = 0;
+    double all = 0, planar = 0;
     for (const Index h : edges) {
       const double l = std::sqrt(mesh_.squared_edge_length(h));
       const Index k = parts.part[h >> 2];
       all += l;
-      if (parts.planar_area[k] >= LEAST_PLANAR_SHARE * parts.area[k]) on_planar_parts += l;
+      if (parts.planar_area[k] > 0) planar += l * parts.planar_area[k] / parts.area[k];
     }
-    return on_planar_parts >= SHARE_ON_PLANAR_PARTS * all;
+    return all > 0 ? planar / all : 0.;
   }
 
   // Free ends, and those where edges meet, among the vertices of these edges.

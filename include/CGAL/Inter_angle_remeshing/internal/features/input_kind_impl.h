@@ -80,7 +80,7 @@ Found_in_input look_at_input(const Remeshing_mesh& mesh, const Remeshing_mesh& s
   kind.is_cad = result.is_cad = detector.kind().is_cad();
   kind.is_faceted = kind.is_cad || detector.kind().has_uneven_facets() || detector.kind().has_jagged_chamfers() ||
                     detector.kind().has_voxel_stairs();
-  kind.saddle_excess = detector.kind().saddle_excess();
+  kind.saddle_excess = kind.is_cad ? 0. : detector.kind().saddle_excess();      // of a part they are details
   kind.searches_features = searches_features;
   result.range_may_be_cad = &seen != &mesh && detector.kind().may_be_cad(mesh.number_of_face_slots());
   // Where vertices only move, features are those of the edges that there are.
