@@ -49,11 +49,14 @@ m < s / 2, or m < 1.1 s and more than half of all edges have less than 8 degrees
 a CAD model; and so it is if m < 3.5 t and the edges of 40 degrees and more form a network, as they do when a part has been remeshed
 coarsely: 70% of their length does not lead to a free end, and of its vertices, of which twelve at least are the ends of two of them, at
 most 40% are the ends of more, and at most a fifth of the others bend by more than 45 degrees; or at most half are the ends of more, and
-at most a tenth of the others bend; or these and those make up at most a third of all. Simplification breaks the edges of a part: where
-three quarters of s lie on components 35% of whose area consists of faces that go on in their planes over an edge, it is enough if 35% of
-the length does not lead to a free end, at most 45% of the vertices are the ends of more, and at most a fifth of the others bend. But
-unless m - p < s / 5, it is none if at a tenth of the vertices of these edges, fifty at least, two or more convex ones meet two or more
-concave ones: noise makes such saddles everywhere.
+at most a tenth of the others bend; or these and those make up at most a third of all. Much of a part is plane: let `a` be the share of
+faces that go on in their planes over an edge in the area, that of all or that of the component on which an edge of s or m lies, in the
+mean over their lengths, whichever is less. If a is at least 35%, the curved rest may be tessellated more finely, m < 5 t; and as
+simplification breaks the edges of a part, with m < 3.5 t it is enough if 35% of the length does not lead to a free end, at most 45% of
+the vertices are the ends of more, and at most a fifth of the others bend. A part with many small details, as screws and vents, is a
+network, too, if a is at least 22%, m < 2 t, 70% of the length does not lead to a free end, at most 70% of the vertices are the ends of
+more, and at most three eighths of the others bend. But unless m - p < s / 5, it is none if at a tenth of the vertices of these edges,
+fifty at least, two or more convex ones meet two or more concave ones: noise makes such saddles everywhere.
 What has grown and is as flat as a leaf is none, either: of the vertices of edges of 40 degrees and more, a hundred at least, more than
 .5% are free ends, more than 10% are free ends or junctions, and over more than 15% of the length of these edges the surface turns by 120
 degrees and more.

@@ -203,14 +203,14 @@ private:
   // Whether the dihedral angles are those of a CAD model, whatever its sharp edges look like.
   bool looks_designed(const Lengths& lengths, const std::vector<Index>& candidates, const Parts& parts) const
   {
-    const double of_long = length_in_long_components(candidates, parts), between = lengths.mild - lengths.facets;
-    const auto are_few_mild = [&](double length) { return between < 0.2 * length; };
+    const double of_long = length_in_long_components(candidates, parts);
+    const auto are_few_mild = [&](double length) { return lengths.mild - lengths.facets < 0.2 * length; };
     const auto is_cad_with = [&](double length) {
       return lengths.mild < 0.5 * length || (lengths.mild < 1.1 * length && lengths.are_mostly_flat) || are_few_mild(length);
     };
     const auto form_network = [&]() {
       Feature_graph graph(mesh_, own_length_, candidates);
-      return Feature_network(graph).is_network(planar_share(candidates, parts), between / of_long);
+      return Feature_network(graph).is_network(planar_share(parts), lengths.mild / of_long);
     };
     return ((is_cad_with(lengths.sharp) && is_cad_with(of_long)) || (of_long > 0 && form_network())) &&
            ((are_few_mild(lengths.sharp) && are_few_mild(of_long)) || !are_of_noise());
@@ -283,17 +283,24 @@ private:
     return sum;
   }
 
-  // How much of the area of the part that an edge lies on is plane, in the mean over the length of these edges.
-  double planar_share(const std::vector<Index>& edges, const Parts& parts) const
+  // How much of the area is plane, of all and of the part that an edge lies on, in the mean over the length of those that are not flat: the
+  // lesser one, as a scene may have edges here, and planes or what has grown there.
+  double planar_share(const Parts& parts) const
   {
-    double all = 0, planar = 0;
-    for (const Index h : edges) {
+    const double mild = cosine_of_degrees(MILD_ANGLE);
+    double length = 0, beside = 0, area = 0, planar_area = 0;
+    for_each_inner_edge(mesh_.number_of_face_slots(), [&](Index h) {
+      if (normals_.cosine(h) > mild) return;
       const double l = std::sqrt(mesh_.squared_edge_length(h));
       const Index k = parts.part[h >> 2];
-      all += l;
-      if (parts.planar_area[k] > 0) planar += l * parts.planar_area[k] / parts.area[k];
+      length += l;
+      if (parts.planar_area[k] > 0) beside += l * parts.planar_area[k] / parts.area[k];
+    });
+    for (std::size_t k = 0; k < parts.area.size(); ++k) {
+      area += parts.area[k];
+      planar_area += parts.planar_area[k];
     }
-    return all > 0 ? planar / all : 0.;
+    return length > 0 && area > 0 ? (std::min)(beside / length, planar_area / area) : 0.;
   }
 
   // Free ends, and those where edges meet, among the vertices of these edges.
