@@ -29,8 +29,8 @@ public:
     : graph_(graph)
   {}
 
-  // The edges in between, neither sharp nor flat, may be so many times as long as sharp ones that form a network.
-  static constexpr double MOST_BETWEEN = 3.5;
+  // The edges in between, neither sharp nor flat, may be so many times as long as sharp ones that form a network; where these lie on planes.
+  static constexpr double MOST_BETWEEN = 3.5, MOST_BETWEEN_PLANES = 5;
 
   // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet. Those of a part that was
   // remeshed coarsely, of few edges each, meet more often; if that was done again and again, they bend more often. Where much of what they
@@ -87,7 +87,7 @@ private:
                           LARGEST_COARSE_MEETING_SHARE = 0.5, LARGEST_COARSE_BENT_SHARE = 0.1, LARGEST_UNEVEN_SHARE = 0.33;
   // The edges lie on planes, or some of what they lie on is plane; what has grown, with as many sharp edges, is so mostly over less than a
   // quarter.
-  static constexpr double LEAST_PLANAR_SHARE = 0.35, MOST_BETWEEN_PLANES = 5, DETAILED_PLANAR_SHARE = 0.22, MOST_BETWEEN_DETAILS = 2,
+  static constexpr double LEAST_PLANAR_SHARE = 0.35, DETAILED_PLANAR_SHARE = 0.22, MOST_BETWEEN_DETAILS = 2,
                           LARGEST_DETAILED_MEETING_SHARE = 0.7, LARGEST_DETAILED_BENT_SHARE = 0.375;
   // Of a network that simplification broke: robots' links of a thousand faces have .37 at least, and .43 at most.
   static constexpr double LEAST_BROKEN_SHARE = 0.35, LARGEST_BROKEN_MEETING_SHARE = 0.45;
