@@ -34,9 +34,9 @@ public:
 
   // Whether these edges are those of a machine part: curves that end nowhere, hardly bend, and seldom meet. Those of a part that was
   // remeshed coarsely, of few edges each, meet more often; if that was done again and again, they bend more often. Where much of what they
-  // lie on is plane, of the area by `planar_share`, the others may be curved more finely; where it was simplified, the edges are broken, and
-  // less need run through. Those of many small details, as of screws and vents, meet and bend more often, but there are few edges in
-  // between. These are `between` times as long. What leads to a free end is dropped.
+  // lie on is plane, the rest may be curved more finely; or it was simplified, which breaks edges, and less need run through. Those of many
+  // small details, as of screws and vents, meet and bend more often, but there are few edges in between. What leads to a free end is
+  // dropped. `planar_share`: how much of the area is plane; `between`: how many times as long the edges in between are.
   bool is_network(double planar_share, double between)
   {
     const Shape shape = look();

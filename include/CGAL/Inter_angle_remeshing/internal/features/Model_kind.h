@@ -212,7 +212,8 @@ private:
       Feature_graph graph(mesh_, own_length_, candidates);
       return Feature_network(graph).is_network(planar_share(parts), lengths.mild / of_long);
     };
-    return ((is_cad_with(lengths.sharp) && is_cad_with(of_long)) || (lengths.mild < Feature_network::MOST_BETWEEN_PLANES * of_long && form_network())) &&
+    return ((is_cad_with(lengths.sharp) && is_cad_with(of_long)) ||
+            (lengths.mild < Feature_network::MOST_BETWEEN_PLANES * of_long && form_network())) &&
            ((are_few_mild(lengths.sharp) && are_few_mild(of_long)) || !are_of_noise());
   }
 
