@@ -44,7 +44,9 @@ class Angle_descent
   // Nor does one of a free vertex make its star, if that has a very thin face, larger by more than this factor, where needles are held
   // or there is no surface: within a nearly flat one a star keeps its area; it grows where needles are pulled off.
   static constexpr double LARGEST_GROWTH = 1.001;
-  // A slide leaves at most this part of the energy: less is not worth that the neighbors look again.
+  // Less energy than that of an angle a quarter of a degree out of its band is none: the bands are narrower than those asked for.
+  static constexpr double NEGLIGIBLE = 1e-5;
+  // A slide leaves at most this part of the energy.
   static constexpr double ENOUGH = 0.99;
 
 public:
@@ -57,11 +59,11 @@ public:
 
   const Angle_bands& bands() const { return bands_; }
 
-  // Whether v moved.
-  bool step(Index v)
+  // The part of the energy of its star that a step of v leaves; 1 if v does not move.
+  double step(Index v)
   {
     if (mesh_.is_free(v)) return move(v);
-    return mesh_.is_sliding(v) && slide(v);
+    return mesh_.is_sliding(v) ? slide(v) : 1;
   }
 
   // Steps of these vertices, sweep by sweep, until none moves.
@@ -69,7 +71,7 @@ public:
   {
     for (bool is_moved = true; is_moved && sweeps > 0; --sweeps) {
       is_moved = false;
-      for (const Index v : vertices) is_moved |= step(v);
+      for (const Index v : vertices) is_moved |= step(v) < 1;
     }
   }
 
@@ -109,10 +111,12 @@ private:
     });
   }
 
-  // Whether the star, with v at q instead of p, has less energy than `enough`, no fold, and no angle that is too small.
-  bool is_better(double enough, const Vector3& p, const Vector3& q)
+  // The energy of the star with v at q instead of p, if that is less than `enough`, there is no fold, and no angle is too small; otherwise
+  // infinity.
+  double lower_energy(double enough, const Vector3& p, const Vector3& q)
   {
-    return star_.value(q) < enough && star_.keeps_orientation(p, q) && !makes_small_angle(p);
+    const double result = star_.value(q);
+    return result < enough && star_.keeps_orientation(p, q) && !makes_small_angle(p) ? result : std::numeric_limits<double>::infinity();
   }
 
   // Whether the least angle, with v where the value was asked for last, is small, and smaller than with v at p. Asks for the value there.
@@ -124,19 +128,19 @@ private:
     return is_thinner(1 - after * after, star_.squared_sine_of_smallest_angle());
   }
 
-  bool move(Index v)
+  double move(Index v)
   {
     read_star(v);
     const Vector3 p = mesh_.position(v);
     const double energy = star_.value(p);
-    if (!(energy > 0)) return false;
+    if (!(energy > NEGLIGIBLE)) return 1;
     const Vector3 normal = star_.normal(p);
     const double l = squared_length(normal);
-    if (!(l > 0)) return false;
+    if (!(l > 0)) return 1;
     Vector3 g = star_.gradient();
     g = g - (dot(g, normal) / l) * normal;
     const double slope = internal::length(g);
-    if (!(slope > 0)) return false;
+    if (!(slope > 0)) return 1;
     Index nearest = mesh_.hint(v);
     const Vector3 offset = offset_of(p, nearest);
     const bool keeps_area = (context_.holds_needles() || !context_.projector.moves_points()) &&
@@ -148,14 +152,14 @@ private:
       if (!(star_.value(r) < energy)) continue;    // the projection hardly changes that
       Index hint = nearest;
       const Vector3 q = context_.projector(r, hint) + offset;
-      if (!context_.projector.is_compatible(hint, normal) || (keeps_area && star_.area(q) > largest_area) ||
-          !is_better(energy, p, q) || !keeps_places(v, p, q) || !context_.permits_move(v, q))
-        continue;
+      if (!context_.projector.is_compatible(hint, normal) || (keeps_area && star_.area(q) > largest_area)) continue;
+      const double left = lower_energy(energy, p, q);
+      if (!(left < energy) || !keeps_places(v, p, q) || !context_.permits_move(v, q)) continue;
       mesh_.hint(v) = hint;
       mesh_.position(v) = q;
-      return true;
+      return left / energy;
     }
-    return false;
+    return 1;
   }
 
   // Whether the star, with v at q instead of p, is near the places of v, or no farther from them than before.
@@ -178,12 +182,12 @@ private:
   }
 
   // The same along a curve. The energy falls to one of the two sides.
-  bool slide(Index v)
+  double slide(Index v)
   {
     read_star(v);
     const Vector3 p = mesh_.position(v);
     const double energy = star_.value(p);
-    if (!(energy > 0)) return false;
+    if (!(energy > NEGLIGIBLE)) return 1;
     std::array<Index, 2> ends{};
     std::size_t n = 0;
     for_each_curve_halfedge(mesh_, v, [&](Index h) { if (n < 2) ends[n++] = mesh_.curve_end(h); });
@@ -194,18 +198,19 @@ private:
     if (low > high) std::swap(low, high);
     const double d = HALF_CHORD * length_at(v);
     const double slope = dot(g, context_.curves.point(curve, t + d) - context_.curves.point(curve, t - d)) / (2 * d);
-    if (!(slope != 0)) return false;
+    if (!(slope != 0)) return 1;
     double step = (std::min)(LONGEST_STEP * length_at(v), STEP_FACTOR * energy / std::abs(slope));
     for (int trial = 0; trial < TRIALS; ++trial, step *= BACKTRACK) {
       const double shift = slope > 0 ? -step : step;
       if (!(shift > low / 2 && shift < high / 2)) continue;
       const Vector3 q = context_.curves.point(curve, t + shift);
-      if (!is_better(ENOUGH * energy, p, q) || leaves_curve(v, ends, shift, q) || !context_.permits_move(v, q)) continue;
+      const double left = lower_energy(ENOUGH * energy, p, q);
+      if (!(left < energy) || leaves_curve(v, ends, shift, q) || !context_.permits_move(v, q)) continue;
       for (const Index end : ends) mesh_.arc_length(end) += shift;
       mesh_.position(v) = q;
-      return true;
+      return left / energy;
     }
-    return false;
+    return 1;
   }
 
   // Whether one of the two chords at vertex v of a curve would lie too far from it if the vertex moved to q.

@@ -78,7 +78,7 @@ class Star_energy
 public:
   using Index = Remeshing_mesh::Index;
 
-  // Reads the link of v; `band(u, w)` is the band of the face with the link edge uw.
+  // Reads the link of v; `band(u, w)` refers to the band of the face with the link edge uw.
   template <class Band>
   void read(const Remeshing_mesh& mesh, Index v, const Band& band)
   {
@@ -91,7 +91,7 @@ public:
       const Vector3 e = mesh.position(w) - mesh.position(u);
       const double l = length(e);
       ring_.push_back(mesh.position(u));
-      link_.push_back({l > 0 ? (1 / l) * e : Vector3(), band(u, w)});
+      link_.push_back({l > 0 ? (1 / l) * e : Vector3(), &band(u, w)});
       has_length_ = has_length_ && l > 0;
       last = w;
     });
@@ -108,7 +108,7 @@ public:
     set_spokes(p);
     double sum = 0;
     for_each_face([&](std::size_t k, const std::array<double, 3>& cosines) {
-      for (const double c : cosines) sum += link_[k].band.energy(c);
+      for (const double c : cosines) sum += link_[k].band->energy(c);
     });
     return sum;
   }
@@ -131,7 +131,7 @@ public:
   {
     std::fill(slope_.begin(), slope_.end(), Vector3());
     for_each_face([&](std::size_t k, const std::array<double, 3>& c) {
-      const Angle_band& band = link_[k].band;
+      const Angle_band& band = *link_[k].band;
       const double at_v = band.slope(c[0]), at_u = band.slope(c[1]), at_w = band.slope(c[2]);
       slope_[k] += at_v * spoke_[k + 1] - at_u * link_[k].direction;
       slope_[k + 1] += at_v * spoke_[k] + at_w * link_[k].direction;
@@ -182,7 +182,7 @@ private:
   struct Link_edge
   {
     Vector3 direction;
-    Angle_band band;
+    const Angle_band* band;
   };
 
   void set_spokes(const Vector3& p)
