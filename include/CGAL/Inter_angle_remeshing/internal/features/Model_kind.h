@@ -27,13 +27,13 @@ namespace internal {
 // CAD models have sharp edges and flat ones, and few in between; or these are between planar polygons, as on cylinders, cones
 // and other surfaces of revolution of few facets. A few sharp edges beside each other, as around a vertex that is folded over, are
 // no feature of a part. Where round parts are coarse, as after remeshing, many edges are in between: the sharp ones still form
-// a network then, which tells less by its shape where much of the area is plane. Noise makes saddles of sharp edges everywhere, where two and more ridges meet two and more grooves; parts and what
-// has grown have few. Alpha wraps of parts have jagged chamfers instead of sharp edges: each of their rims as a curve of its
-// own would be more than edges of the length of these can follow. Marching cubes around what is marked in a volume leave the stairs of
-// its voxels, whose edges tell nothing about the object. What has grown and is as flat as a leaf has sharp edges at its rim, too, and flat
-// ones elsewhere; but the sharp ones are a tangle, and over them the surface turns back. What is twisted, or a panel with noise, has sharp
-// edges along smooth curves, and between these no flat ones. Parts that were simplified to some hundred faces, or their hulls, have sharp
-// edges that are too few and too broken to tell a part; but they have few large facets.
+// a network then, which tells less by its shape where much of the area is plane. Noise makes saddles of sharp edges everywhere, where two
+// and more ridges meet two and more grooves; parts and what has grown have few. Alpha wraps of parts have jagged chamfers instead of sharp
+// edges: each of their rims as a curve of its own would be more than edges of the length of these can follow. Marching cubes around what is
+// marked in a volume leave the stairs of its voxels, whose edges tell nothing about the object. What has grown and is as flat as a leaf has
+// sharp edges at its rim, too, and flat ones elsewhere; but the sharp ones are a tangle, and over them the surface turns back. What is
+// twisted, or a panel with noise, has sharp edges along smooth curves, and between these no flat ones. Parts that were simplified to some
+// hundred faces, or their hulls, have sharp edges that are too few and too broken to tell a part; but they have few large facets.
 class Model_kind
 {
   using Index = Remeshing_mesh::Index;
