@@ -1079,25 +1079,31 @@ Mesh thin_tube()
 }
 
 // With a target length nearly as long as the radius: functions yield at small details as numbers do, and so do lengths that are looked for.
-// Walls that thin cross each other at one length in eight, lengths that are looked for end at any.
+// These end at any length, and each has its own luck with walls so thin: five are looked at together.
 void thin_walls_stay_with_functions_and_numbers_of_faces()
 {
   const double expected = volume(thin_tube());
   CHECK(std::abs(expected - .557) < .001);
-  // Returns whether faces cross each other.
-  const auto check = [&](const auto& length, double tolerance, const char* what) {
+  const auto check = [&](const auto& length, const char* what) {
     Mesh m = thin_tube();
-    const IAR::Remeshing_report report = IAR::isotropic_remeshing(length, m);
-    CHECK_MESSAGE(std::abs(volume(m) - expected) < tolerance, what << ": " << volume(m) << ", " << m.number_of_faces());
-    CHECK_MESSAGE(report.crossing_faces < 20, what << ": " << report.crossing_faces << " of " << m.number_of_faces());
-    return report.crossing_faces > 0;
+    const std::size_t crossing_faces = IAR::isotropic_remeshing(length, m).crossing_faces;
+    CHECK_MESSAGE(std::abs(volume(m) - expected) < .1 && crossing_faces == 0,
+                  what << ": " << volume(m) << ", " << crossing_faces << " crossing faces, " << m.number_of_faces());
   };
-  CHECK(!check(.8, .1, "a number"));
-  CHECK(!check([](const Point&) { return .8; }, .1, "a function"));
+  check(.8, "a number");
+  check([](const Point&) { return .8; }, "a function");
+  double sum = 0;
   int crossing = 0;
-  for(const std::size_t n : {500, 550, 600, 650, 700})
-    crossing += check(IAR::Face_count(n), .35, "a number of faces");
-  CHECK_MESSAGE(crossing <= 1, crossing);
+  const std::vector<std::size_t> numbers{500, 550, 600, 650, 700};
+  for(const std::size_t n : numbers)
+  {
+    Mesh m = thin_tube();
+    const std::size_t crossing_faces = IAR::isotropic_remeshing(IAR::Face_count(n), m).crossing_faces;
+    CHECK_MESSAGE(crossing_faces < 20, n << " faces: " << crossing_faces << " cross others");
+    crossing += crossing_faces > 0;
+    sum += volume(m);
+  }
+  CHECK_MESSAGE(std::abs(sum / double(numbers.size()) - expected) < .3 && crossing <= 1, sum / double(numbers.size()) << ", " << crossing);
 }
 
 // Half of a ball is to be much finer than the rest: the rest is as near to the surface as if all were coarse.
