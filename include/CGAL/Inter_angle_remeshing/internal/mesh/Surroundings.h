@@ -33,7 +33,7 @@ struct Surroundings
 };
 
 class Mesh_in_surroundings;
-bool cross_each_other(const Mesh_in_surroundings& mesh, Corner_table::Index f, Corner_table::Index g);
+bool do_cross_each_other(const Mesh_in_surroundings& mesh, Corner_table::Index f, Corner_table::Index g);
 
 // The mesh together with its surroundings, whose faces and points have the names ~0, ~1, ... It is valid as long as no edge of the rim
 // is split or collapsed.
@@ -130,12 +130,12 @@ private:
 };
 
 // A vertex of the user's may be several of the mesh: faces that have two points in common share an edge.
-inline bool cross_each_other(const Mesh_in_surroundings& mesh, Corner_table::Index f, Corner_table::Index g)
+inline bool do_cross_each_other(const Mesh_in_surroundings& mesh, Corner_table::Index f, Corner_table::Index g)
 {
   const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
   const auto is_shared = [&](Corner_table::Index v) {
     return std::any_of(b, b + 3, [&](Corner_table::Index w) { return mesh.position(v) == mesh.position(w); }); };
-  return ((f >= 0 && g >= 0) || std::count_if(a, a + 3, is_shared) < 2) && cross_each_other<Mesh_in_surroundings>(mesh, f, g);
+  return ((f >= 0 && g >= 0) || std::count_if(a, a + 3, is_shared) < 2) && do_cross_each_other<Mesh_in_surroundings>(mesh, f, g);
 }
 
 } // namespace internal

@@ -113,13 +113,12 @@ bool may_cross_each_other(const Surface& mesh, Corner_table::Index f, Corner_tab
   return number_of_shared_vertices(mesh, f, g) <= 1 && !lies_beside(mesh, f, g) && !lies_beside(mesh, g, f) && !lie_apart(mesh, f, g);
 }
 
-// A triangle without an area crosses nothing. Two that have a corner in common cross where the edge of one that is opposite to it
-// meets the other one.
+// Whether two faces that may do so cross each other. A triangle without an area crosses nothing. Two that have a corner in common cross
+// where the edge of one that is opposite to it meets the other one.
 template <class Surface>
-bool cross_each_other(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
+bool do_cross_each_other(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  if (!may_cross_each_other(mesh, f, g)) return false;
   const auto &a = mesh.face_record(f).vertex, &b = mesh.face_record(g).vertex;
   const auto point = [&](Corner_table::Index v) {
     const Vector3& p = mesh.position(v);
@@ -130,6 +129,12 @@ bool cross_each_other(const Surface& mesh, Corner_table::Index f, Corner_table::
   const auto [i, j] = common_corner(mesh, f, g);
   if (i < 0) return CGAL::do_intersect(s, t);
   return CGAL::do_intersect(Kernel::Segment_3(s[i + 1], s[i + 2]), t) || CGAL::do_intersect(Kernel::Segment_3(t[j + 1], t[j + 2]), s);
+}
+
+template <class Surface>
+bool cross_each_other(const Surface& mesh, Corner_table::Index f, Corner_table::Index g)
+{
+  return may_cross_each_other(mesh, f, g) && do_cross_each_other(mesh, f, g);
 }
 
 // The length of the segment in which two faces cross each other.
@@ -198,7 +203,7 @@ void for_each_crossing(const Surface& mesh, const std::vector<Remeshing_mesh::In
     const std::size_t first = found != faces.end() && *found == g ? std::size_t(found - faces.begin()) + 1 : 0;
     for (std::size_t i = first; i < faces.size(); ++i)
       if (do_overlap(b, boxes[i]) && may_cross_each_other(mesh, g, faces[i]) && !is_left_out(faces[i], g) &&
-          cross_each_other(mesh, g, faces[i]) && !function(faces[i], g)) return;
+          do_cross_each_other(mesh, g, faces[i]) && !function(faces[i], g)) return;
   }
 }
 

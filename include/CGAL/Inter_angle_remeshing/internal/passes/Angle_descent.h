@@ -50,6 +50,9 @@ class Angle_descent
   static constexpr double ENOUGH = 0.99;
 
 public:
+  // A step that leaves at most this part of the energy is worth that the vertices around look again.
+  static constexpr double MUCH_LESS = 0.8;
+
   explicit Angle_descent(Remeshing_context& context)
     : context_(context), mesh_(context.mesh), bands_(context.recipe, LOWER_MARGIN, UPPER_MARGIN),
       small_cosine_(cosine(context.keeps_vertices ? SMALL_ANGLE_OF_KEPT_VERTICES : SMALL_ANGLE)),
@@ -66,12 +69,12 @@ public:
     return mesh_.is_sliding(v) ? slide(v) : 1;
   }
 
-  // Steps of these vertices, sweep by sweep, until none moves.
+  // Steps of these vertices, sweep by sweep, until none gains much.
   void sweep(const std::vector<Index>& vertices, int sweeps)
   {
-    for (bool is_moved = true; is_moved && sweeps > 0; --sweeps) {
-      is_moved = false;
-      for (const Index v : vertices) is_moved |= step(v) < 1;
+    for (bool gains_much = true; gains_much && sweeps > 0; --sweeps) {
+      gains_much = false;
+      for (const Index v : vertices) gains_much |= step(v) <= MUCH_LESS;
     }
   }
 

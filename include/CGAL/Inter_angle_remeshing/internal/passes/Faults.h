@@ -95,9 +95,9 @@ public:
   }
 
   // Faces that cross others; their number is `crossing`, for those where the surface crosses itself are only mended where that is easy,
-  // after the others, and not at all where they lie on each other.
+  // after the others, and not at all where they lie on each other, or are more than `most_inherited`.
   template <class ConcurrencyTag>
-  Bad_faces find_crossings(std::size_t& crossing)
+  Bad_faces find_crossings(std::size_t& crossing, std::size_t most_inherited)
   {
     finds_crossings_ = true;
     const std::vector<std::pair<Index, Index>> pairs = crossing_pairs<ConcurrencyTag>();
@@ -113,7 +113,9 @@ public:
     result.faces = faces_of_mesh(mended);
     for (const auto& [f, g] : mended) result.score += score_of_crossing(f, g);
     const auto inherited = std::stable_partition(result.faces.begin(), result.faces.end(), [&](Index f) { return !is_inherited(f); });
-    if (crossings_of_surface_->are_small(context_.target_length)) sort_by_crossing_lengths(inherited, result.faces.end(), pairs);
+    const bool is_easy = std::size_t(result.faces.end() - inherited) <= most_inherited &&
+                         crossings_of_surface_->are_small(context_.target_length);
+    if (is_easy) sort_by_crossing_lengths(inherited, result.faces.end(), pairs);
     else result.faces.erase(inherited, result.faces.end());
     grid_.emplace(mesh_, context_.largest_length());
     return result;

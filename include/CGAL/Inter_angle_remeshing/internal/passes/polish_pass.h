@@ -28,8 +28,6 @@ class Polisher
   // Rounds over the vertices at hand, and how often one on a curve or beside it is looked at; what is not mended by then is
   // stuck, which beside curves is common.
   static constexpr int MAXIMUM_ROUNDS = 30, MAXIMUM_VISITS_AT_CURVES = 12;
-  // A move that leaves at most this part of the energy around is worth that the neighbors look again.
-  static constexpr double MUCH_LESS = 0.8;
   // Flips mend faces at curves that have a smaller angle, or one that is as far over 60 degrees as half of the rest is under.
   static constexpr double POOR_ANGLE = 35;
   static constexpr int FLIP_ROUNDS = 3;
@@ -70,7 +68,7 @@ private:
         if (!(left < 1)) continue;
         ++moves;
         queue(v);
-        if (left <= MUCH_LESS) mesh_.for_each_neighbor(v, [&](Index u) { queue(u); });
+        if (left <= Angle_descent::MUCH_LESS) mesh_.for_each_neighbor(v, [&](Index u) { queue(u); });
       }
     }
     return moves;

@@ -92,7 +92,7 @@ public:
     given_up_.clear();
     in_vain_.clear();
     most_trials_ = 0;
-    const std::size_t operations = mend([&]() { return faults_.find_crossings<ConcurrencyTag>(crossing); });
+    const std::size_t operations = mend([&]() { return faults_.find_crossings<ConcurrencyTag>(crossing, affordable_trials()); });
     if (round_ == MAXIMUM_ROUNDS) crossing = faults_.number_of_crossing_faces<ConcurrencyTag>();
     return operations;
   }
@@ -109,9 +109,7 @@ private:
       leaves_bad_faces_ = !bad.faces.empty();
       if (bad.faces.empty() || (round_ > 1 && !(bad.score < least))) break;
       least = (std::min)(least, bad.score);
-      if (most_trials_ == 0)
-        most_trials_ = LEAST_TRIALS + (std::min)(TRIALS_PER_BAD_FACE * bad.faces.size(),
-                                                 (std::max)(input_faces_, mesh_.number_of_live_faces()) / FACES_PER_TRIAL);
+      if (most_trials_ == 0) most_trials_ = (std::min)(LEAST_TRIALS + TRIALS_PER_BAD_FACE * bad.faces.size(), affordable_trials());
       const std::size_t done = mend_each(bad.faces);
       if (round_ > 0 && done == 0) break;
       operations += done;
@@ -136,6 +134,10 @@ private:
     return operations;
   }
 
+  std::size_t affordable_trials() const
+  {
+    return LEAST_TRIALS + (std::max)(input_faces_, mesh_.number_of_live_faces()) / FACES_PER_TRIAL;
+  }
   std::size_t& trials() { return trials_[std::size_t(fault_)]; }
   bool has_tried_enough() { return trials() > (fault_ == Fault::crossing ? CROSSING_TRIALS * most_trials_ : most_trials_); }
 
