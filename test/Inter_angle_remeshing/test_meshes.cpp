@@ -1013,7 +1013,8 @@ void vertices_of_tips_and_saddles_are_regular()
   }
 }
 
-// Single coarse runs scatter, their sums do not. (Measured: .65 degrees, 307 faces instead of 426.)
+// Single coarse runs scatter, by .6 degrees, those of some dozens of faces by 2; the sums over many lengths do not. (Measured: .39 degrees,
+// 395 faces instead of 543.)
 void coarse_organic_models_gain_by_irregular_vertices()
 {
   if(meshes::is_small_run())
@@ -1022,11 +1023,11 @@ void coarse_organic_models_gain_by_irregular_vertices()
   six.curvature_valences = false;
   double gained = 0;
   std::size_t out_of_band = 0, out_with_six = 0, runs = 0;
-  for(const char* name : {"triceratops", "elk", "cow", "pig", "cactus", "blob"})
-    for(const double factor : {2., 2.5, 3., 3.5, 4.})
+  for(const char* name : {"triceratops", "elk", "cow", "pig"})
+    for(int twentieths = 40; twentieths < 83; ++twentieths)
     {
       Mesh m = mesh_of_cgal(name), with_six = m;
-      const double length = factor * mean_edge_length(m);
+      const double length = twentieths / 20. * mean_edge_length(m);
       const IAR::Remeshing_report ours = IAR::isotropic_remeshing(length, m),
                                   theirs = IAR::isotropic_remeshing(faces(with_six), length, with_six, IAR::recipe(six));
       gained += ours.angles_after.average - theirs.angles_after.average;
