@@ -134,7 +134,8 @@ private:
     return operations;
   }
 
-  // At most so many for angles. More faces than these that cross others where the surface does are let be: it takes some thirty trials to find one operation.
+  // At most so many for angles. More faces than these that cross others where the surface does are let be: it takes some thirty trials to
+  // find one operation.
   std::size_t affordable_trials() const
   {
     return LEAST_TRIALS + (std::max)(input_faces_, mesh_.number_of_live_faces()) / FACES_PER_TRIAL;
