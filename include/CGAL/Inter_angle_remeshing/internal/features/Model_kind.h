@@ -24,16 +24,17 @@ namespace internal {
 
 // What the dihedral angles tell about a model.
 //
-// CAD models have sharp edges and flat ones, and few in between; or these are between planar polygons, as on cylinders, cones
-// and other surfaces of revolution of few facets. A few sharp edges beside each other, as around a vertex that is folded over, are
-// no feature of a part. Where round parts are coarse, as after remeshing, many edges are in between: the sharp ones still form
-// a network then, which tells less by its shape where much of the area is plane. Noise makes saddles of sharp edges everywhere, where two
-// and more ridges meet two and more grooves; parts and what has grown have few. Alpha wraps of parts have jagged chamfers instead of sharp
-// edges: each of their rims as a curve of its own would be more than edges of the length of these can follow. Marching cubes around what is
-// marked in a volume leave the stairs of its voxels, whose edges tell nothing about the object. What has grown and is as flat as a leaf has
-// sharp edges at its rim, too, and flat ones elsewhere; but the sharp ones are a tangle, and over them the surface turns back. What is
-// twisted, or a panel with noise, has sharp edges along smooth curves, and between these no flat ones. Parts that were simplified to some
-// hundred faces, or their hulls, have sharp edges that are too few and too broken to tell a part; but they have few large facets.
+// CAD models have sharp edges and flat ones, and few in between; or these are between planar polygons, as on cylinders, cones and other
+// surfaces of revolution of few facets. A few sharp edges beside each other, as around a vertex that is folded over, are no feature of a
+// part. Where round parts are coarse, as after remeshing, many edges are in between: the sharp ones still form a network then, which tells
+// less by its shape where much of the area is plane. Noise makes saddles of sharp edges everywhere, where two and more ridges meet two and
+// more grooves, and leaves no planes beside them; parts and what has grown have few. Alpha wraps of parts have jagged chamfers instead of
+// sharp edges: each of their rims as a curve of its own would be more than edges of the length of these can follow. Marching cubes around
+// what is marked in a volume leave the stairs of its voxels, whose edges tell nothing about the object. What has grown and is as flat as a
+// leaf has sharp edges at its rim, too, and flat ones elsewhere; but the sharp ones are a tangle, and over them the surface turns back,
+// the more so, the more of them there are: a leaf of few faces has little but its rim. What is twisted, or a panel with noise, has sharp
+// edges along smooth curves, and between these no flat ones. Parts that were simplified to some hundred faces, or their hulls, have sharp
+// edges that are too few and too broken to tell a part; but they have few large facets.
 class Model_kind
 {
   using Index = Remeshing_mesh::Index;
@@ -44,14 +45,14 @@ class Model_kind
   // them, or as a ring of so many edges, between which there are no sharp ones.
   static constexpr double LONG_COMPONENT = 8, LONG_PART = 0.25;
   static constexpr std::size_t LONG_RING = 9;
-  // Sharp edges are those of noise where so many of their vertices are saddles, and this part of all.
+  // Sharp edges are those of noise where so many of their vertices are saddles beside no planar polygon, and this part of all.
   static constexpr std::size_t LEAST_SADDLES = 50;
   static constexpr double NOISE_SHARE = 0.1;
   // Meshes with fewer of them, or with this part of their vertices, may be clean and coarse.
   static constexpr std::size_t LEAST_NOISY_SADDLES = 100;
   static constexpr double CLEAN_SHARE = 0.035;
   // Sharp edges are those of leaves where, of so many vertices at least, more than these parts are free ends, and free ends or junctions,
-  // and over more than this part of their length the surface turns back.
+  // and over more than this part of their length the surface turns back, and more than they are of the length of all edges.
   static constexpr std::size_t LEAST_TANGLE = 100;
   static constexpr double LOOSE_SHARE = 0.005, TANGLE_SHARE = 0.1, TURNING_ANGLE = 120, TURNING_SHARE = 0.15;
   // Edges of at least this angle are creases where they make up this part of the length of all edges.
@@ -309,6 +310,10 @@ private:
   {
     struct Edges { int ridges = 0, grooves = 0; };
     std::vector<Edges> edges_at(mesh_.number_of_vertex_slots());
+    std::vector<char> is_at_polygon(edges_at.size());
+    for (Index f = 0; f < Index(mesh_.number_of_face_slots()); ++f)
+      if (normals_.is_in_polygon(f))
+        for (Index h = 4 * f; h < 4 * f + 3; ++h) is_at_polygon[mesh_.origin(h)] = true;
     for (const Index h : edges) {
       const bool is_in_groove = normals_.turn(h) < 0;
       for (const Index v : {mesh_.origin(h), mesh_.target(h)}) ++(is_in_groove ? edges_at[v].grooves : edges_at[v].ridges);
@@ -319,14 +324,16 @@ private:
       sharp_vertices_ += degree > 0;
       free_ends_ += degree == 1 && !mesh_.is_border_vertex(v);
       junctions_ += degree > 2;
-      saddles_ += e.ridges > 1 && e.grooves > 1;
+      const bool is_saddle = e.ridges > 1 && e.grooves > 1;
+      saddles_ += is_saddle;
+      saddles_off_planes_ += is_saddle && !is_at_polygon[v];
     }
   }
 
-  // Whether many of the vertices of sharp edges are saddles.
+  // Whether many of the vertices of sharp edges are saddles, and none of the planes of a part is beside them.
   bool are_of_noise() const
   {
-    return saddles_ >= LEAST_SADDLES && double(saddles_) > NOISE_SHARE * double(sharp_vertices_);
+    return saddles_off_planes_ >= LEAST_SADDLES && double(saddles_off_planes_) > NOISE_SHARE * double(sharp_vertices_);
   }
 
   // Whether sharp edges are a tangle, over which the surface turns back.
@@ -334,14 +341,15 @@ private:
   {
     const auto are_more_than = [&](double share, std::size_t n) { return double(n) > share * double(sharp_vertices_); };
     return sharp_vertices_ >= LEAST_TANGLE && are_more_than(LOOSE_SHARE, free_ends_) &&
-           are_more_than(TANGLE_SHARE, free_ends_ + junctions_) && lengths.turning > TURNING_SHARE * lengths.sharp;
+           are_more_than(TANGLE_SHARE, free_ends_ + junctions_) &&
+           lengths.turning > (std::max)(TURNING_SHARE, lengths.sharp / lengths.all) * lengths.sharp;
   }
 
   const Face_normals& normals_;
   const Remeshing_mesh& mesh_;
   double own_length_;
   bool is_cad_ = false, has_uneven_facets_ = false, has_leaves_ = false, has_jagged_chamfers_ = false, has_voxel_stairs_ = false;
-  std::size_t sharp_vertices_ = 0, free_ends_ = 0, junctions_ = 0, saddles_ = 0;       // of edges of CAD_ANGLE
+  std::size_t sharp_vertices_ = 0, free_ends_ = 0, junctions_ = 0, saddles_ = 0, saddles_off_planes_ = 0;   // of edges of CAD_ANGLE
   std::vector<Index> sharp_edges_, creases_, smooth_curves_;
 };
 
