@@ -56,10 +56,15 @@ simplification breaks the edges of a part, with m < 3.5 t it is enough if 35% of
 the vertices are the ends of more, and at most a fifth of the others bend. A part with many small details, as screws and vents, is a
 network, too, if a is at least 22%, m < 2 t, 70% of the length does not lead to a free end, at most 70% of the vertices are the ends of
 more, and at most three eighths of the others bend. But unless m - p < s / 5, it is none if at a tenth of the vertices of these edges,
-fifty at least, two or more convex ones meet two or more concave ones: noise makes such saddles everywhere.
+fifty at least, two or more convex ones meet two or more concave ones beside no face that goes on in its plane: noise makes such saddles
+everywhere.
 What has grown and is as flat as a leaf is none, either: of the vertices of edges of 40 degrees and more, a hundred at least, more than
-.5% are free ends, more than 10% are free ends or junctions, and over more than 15% of the length of these edges the surface turns by 120
-degrees and more.
+.5% are free ends, more than 10% are free ends or junctions, and over more than 15% of the length of these edges, and more than the part of
+the length of all edges that they have, the surface turns by 120 degrees and more.
+Of a part that was simplified to some hundred or thousand faces, hardly an edge is as it was. It is a CAD model, noise or not, if s is at
+least 30% of the length of all edges, m < .85 t, a is at least 10%, 90% of s does not lead to a free end, the surface turns by 120 degrees
+and more over no more of s than for leaves, and at most 3000 vertices have edges of 40 degrees and more: what has grown, simplified as far,
+has no planes, but for one that was cut.
 Robots' links that were simplified to some hundred faces, and the hulls of such parts, have few sharp edges, in pieces. By these rules
 none, a model whose faces all hang together is a CAD model, too, if edges of 30 degrees and more have at least .8% of the length of all
 edges, s at most 5.5%; faces with an angle of less than 10 degrees have at least a fifth of the area; half of it is in at most 29% of the

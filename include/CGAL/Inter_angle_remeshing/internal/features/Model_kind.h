@@ -33,8 +33,9 @@ namespace internal {
 // what is marked in a volume leave the stairs of its voxels, whose edges tell nothing about the object. What has grown and is as flat as a
 // leaf has sharp edges at its rim, too, and flat ones elsewhere; but the sharp ones are a tangle, and over them the surface turns back,
 // the more so, the more of them there are: a leaf of few faces has little but its rim. What is twisted, or a panel with noise, has sharp
-// edges along smooth curves, and between these no flat ones. Parts that were simplified to some hundred faces, or their hulls, have sharp
-// edges that are too few and too broken to tell a part; but they have few large facets.
+// edges along smooth curves, and between these no flat ones. Parts that were simplified to some hundred or thousand faces have sharp edges
+// wherever one looks; they, or their hulls, may also have sharp edges that are too few and too broken to tell a part, but few large
+// facets.
 class Model_kind
 {
   using Index = Remeshing_mesh::Index;
@@ -55,6 +56,11 @@ class Model_kind
   // and over more than this part of their length the surface turns back, and more than they are of the length of all edges.
   static constexpr std::size_t LEAST_TANGLE = 100;
   static constexpr double LOOSE_SHARE = 0.005, TANGLE_SHARE = 0.1, TURNING_ANGLE = 120, TURNING_SHARE = 0.15;
+  // Of a part that was simplified to at most so many sharp vertices, a third of the length of all edges are sharp; there are fewer edges in
+  // between, and some planes, and hardly any sharp edges lead to a free end.
+  static constexpr std::size_t MOST_SIMPLIFIED = 3000;
+  static constexpr double SIMPLIFIED_SHARP_SHARE = 0.3, SIMPLIFIED_BETWEEN = 0.85, SIMPLIFIED_PLANAR_SHARE = 0.1,
+                          SIMPLIFIED_RUN_SHARE = 0.9;
   // Edges of at least this angle are creases where they make up this part of the length of all edges.
   static constexpr double CREASE_ANGLE = 70, CREASE_SHARE = 0.05;
   // Smooth curves of creases are those of a part from so many roots of the area on: the rim of a hemisphere has two.
@@ -213,9 +219,21 @@ private:
       Feature_graph graph(mesh_, own_length_, candidates);
       return Feature_network(graph).is_network(planar_share(parts), lengths.mild / of_long);
     };
-    return ((is_cad_with(lengths.sharp) && is_cad_with(of_long)) ||
-            (lengths.mild < Feature_network::MOST_BETWEEN_PLANES * of_long && form_network())) &&
-           ((are_few_mild(lengths.sharp) && are_few_mild(of_long)) || !are_of_noise());
+    return (((is_cad_with(lengths.sharp) && is_cad_with(of_long)) ||
+             (lengths.mild < Feature_network::MOST_BETWEEN_PLANES * of_long && form_network())) &&
+            ((are_few_mild(lengths.sharp) && are_few_mild(of_long)) || !are_of_noise())) ||
+           (lengths.mild < SIMPLIFIED_BETWEEN * of_long && looks_simplified(lengths, candidates, parts));
+  }
+
+  // Whether there are so many sharp edges beside planes that simplification has brought together what was a part's, tangle as they may.
+  // What has grown, simplified as far, has no planes.
+  bool looks_simplified(const Lengths& lengths, const std::vector<Index>& candidates, const Parts& parts) const
+  {
+    if (sharp_vertices_ > MOST_SIMPLIFIED || lengths.sharp < SIMPLIFIED_SHARP_SHARE * lengths.all || turns_back(lengths) ||
+        planar_share(parts) < SIMPLIFIED_PLANAR_SHARE) return false;
+    Feature_graph graph(mesh_, own_length_, candidates);
+    graph.drop_trees();
+    return graph.length_left() >= SIMPLIFIED_RUN_SHARE * lengths.sharp;
   }
 
   void find_creases(double length_of_all)
@@ -341,8 +359,12 @@ private:
   {
     const auto are_more_than = [&](double share, std::size_t n) { return double(n) > share * double(sharp_vertices_); };
     return sharp_vertices_ >= LEAST_TANGLE && are_more_than(LOOSE_SHARE, free_ends_) &&
-           are_more_than(TANGLE_SHARE, free_ends_ + junctions_) &&
-           lengths.turning > (std::max)(TURNING_SHARE, lengths.sharp / lengths.all) * lengths.sharp;
+           are_more_than(TANGLE_SHARE, free_ends_ + junctions_) && turns_back(lengths);
+  }
+
+  bool turns_back(const Lengths& lengths) const
+  {
+    return lengths.turning > (std::max)(TURNING_SHARE, lengths.sharp / lengths.all) * lengths.sharp;
   }
 
   const Face_normals& normals_;
