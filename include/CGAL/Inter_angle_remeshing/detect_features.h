@@ -64,7 +64,7 @@ the length of all edges that they have, the surface turns by 120 degrees and mor
 Of a part that was simplified to some hundred or thousand faces, hardly an edge is as it was. It is a CAD model, noise or not, if s is at
 least 30% of the length of all edges, m < .85 t, a is at least 10%, 90% of s does not lead to a free end, the surface turns by 120 degrees
 and more over no more of s than for leaves, and at most 3000 vertices have edges of 40 degrees and more: what has grown, simplified as far,
-has no planes, but for one that was cut.
+hardly has planes, but where it was cut.
 Robots' links that were simplified to some hundred faces, and the hulls of such parts, have few sharp edges, in pieces. By these rules
 none, a model whose faces all hang together is a CAD model, too, if edges of 30 degrees and more have at least .8% of the length of all
 edges, s at most 5.5%; faces with an angle of less than 10 degrees have at least a fifth of the area; half of it is in at most 29% of the

@@ -226,7 +226,7 @@ private:
   }
 
   // Whether there are so many sharp edges beside planes that simplification has brought together what was a part's, tangle as they may.
-  // What has grown, simplified as far, has no planes.
+  // What has grown, simplified as far, hardly has planes.
   bool looks_simplified(const Lengths& lengths, const std::vector<Index>& candidates, const Parts& parts) const
   {
     if (sharp_vertices_ > MOST_SIMPLIFIED || lengths.sharp < SIMPLIFIED_SHARP_SHARE * lengths.all || turns_back(lengths) ||
