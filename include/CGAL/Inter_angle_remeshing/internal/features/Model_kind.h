@@ -46,6 +46,9 @@ class Model_kind
   // them, or as a ring of so many edges, between which there are no sharp ones.
   static constexpr double LONG_COMPONENT = 8, LONG_PART = 0.25;
   static constexpr std::size_t LONG_RING = 9;
+  // Of a CAD model edges in between have less than these parts of the length of sharp ones: few do, not counting those between facets; or
+  // some, with them; or many, where most of all edges are flat.
+  static constexpr double FEW_MILD = 0.2, SOME_MILD = 0.5, MANY_MILD = 1.1;
   // Sharp edges are those of noise where so many of their vertices are saddles beside no planar polygon, and this part of all.
   static constexpr std::size_t LEAST_SADDLES = 50;
   static constexpr double NOISE_SHARE = 0.1;
@@ -56,8 +59,8 @@ class Model_kind
   // and over more than this part of their length the surface turns back, and more than they are of the length of all edges.
   static constexpr std::size_t LEAST_TANGLE = 100;
   static constexpr double LOOSE_SHARE = 0.005, TANGLE_SHARE = 0.1, TURNING_ANGLE = 120, TURNING_SHARE = 0.15;
-  // Of a part that was simplified to at most so many sharp vertices, a third of the length of all edges are sharp; there are fewer edges in
-  // between, and some planes, and hardly any sharp edges lead to a free end.
+  // Of a part that was simplified to at most so many sharp vertices, this part of the length of all edges is sharp; there are fewer edges
+  // in between, and some planes, and hardly any sharp edges lead to a free end.
   static constexpr std::size_t MOST_SIMPLIFIED = 3000;
   static constexpr double SIMPLIFIED_SHARP_SHARE = 0.3, SIMPLIFIED_BETWEEN = 0.85, SIMPLIFIED_PLANAR_SHARE = 0.1,
                           SIMPLIFIED_RUN_SHARE = 0.9;
@@ -211,18 +214,24 @@ private:
   bool looks_designed(const Lengths& lengths, const std::vector<Index>& candidates, const Parts& parts) const
   {
     const double of_long = length_in_long_components(candidates, parts);
-    const auto are_few_mild = [&](double length) { return lengths.mild - lengths.facets < 0.2 * length; };
-    const auto is_cad_with = [&](double length) {
-      return lengths.mild < 0.5 * length || (lengths.mild < 1.1 * length && lengths.are_mostly_flat) || are_few_mild(length);
-    };
-    const auto form_network = [&]() {
-      Feature_graph graph(mesh_, own_length_, candidates);
-      return Feature_network(graph).is_network(planar_share(parts), lengths.mild / of_long);
-    };
-    return (((is_cad_with(lengths.sharp) && is_cad_with(of_long)) ||
-             (lengths.mild < Feature_network::MOST_BETWEEN_PLANES * of_long && form_network())) &&
-            ((are_few_mild(lengths.sharp) && are_few_mild(of_long)) || !are_of_noise())) ||
-           (lengths.mild < SIMPLIFIED_BETWEEN * of_long && looks_simplified(lengths, candidates, parts));
+    const auto hold_of_both = [&](const auto& condition) { return condition(lengths.sharp) && condition(of_long); };
+    if (lengths.mild < SIMPLIFIED_BETWEEN * of_long && looks_simplified(lengths, candidates, parts)) return true;
+
+    const auto are_few_mild = [&](double length) { return lengths.mild - lengths.facets < FEW_MILD * length; };
+    if (hold_of_both(are_few_mild)) return true;
+    if (are_of_noise()) return false;
+
+    return hold_of_both([&](double length) {
+             return are_few_mild(length) || lengths.mild < SOME_MILD * length ||
+                    (lengths.mild < MANY_MILD * length && lengths.are_mostly_flat);
+           }) || form_network(lengths.mild, of_long, candidates, parts);
+  }
+
+  bool form_network(double mild, double of_long, const std::vector<Index>& edges, const Parts& parts) const
+  {
+    if (mild >= Feature_network::MOST_BETWEEN_PLANES * of_long) return false;
+    Feature_graph graph(mesh_, own_length_, edges);
+    return Feature_network(graph).is_network(planar_share(parts), mild / of_long);
   }
 
   // Whether there are so many sharp edges beside planes that simplification has brought together what was a part's, tangle as they may.
