@@ -2146,7 +2146,8 @@ void coarse_results_are_still_cad_models()
 }
 
 // Simplification breaks the sharp edges of a part: much of them leads to free ends then. The part is plane over a third of its area and more,
-// what has grown and was simplified is not. Of few faces, the edges run through, but meet and bend often; in the end, a third of all edges are sharp.
+// what has grown and was simplified is not. Of few faces, the edges run through, but meet and bend often; in the end, three tenths of the
+// edges and more are sharp.
 void simplified_parts_are_cad_models()
 {
   struct Part { const char* name; std::size_t faces; };
