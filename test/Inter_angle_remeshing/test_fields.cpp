@@ -1130,12 +1130,14 @@ void a_fine_part_takes_nothing_from_the_rest()
   CHECK_MESSAGE(std::abs(mixed) < 2 * std::abs(coarse) + .001, coarse << " " << mixed);
 }
 
-// Where faces beside the range are divided, the parts have what their face had: corners a linear function, faces its number.
+// Where faces beside the range are divided, the parts have what their face had: corners a linear function, without a seam along the rim,
+// and, with a seam there, the number of the side on which they are; faces their number.
 void divided_faces_outside_the_range_have_their_part()
 {
   Mesh m = meshes::to_mesh<Mesh>(meshes::square(6));
   const auto value = [](const Point& p) { return Kernel::Point_2(3 * p.x() - p.y(), p.y()); };
   const auto texture = m.add_property_map<Halfedge, Kernel::Point_2>("h:texture").first;
+  const auto side = m.add_property_map<Halfedge, double>("h:side", 2).first;
   const auto number = m.add_property_map<Face, int>("f:number", -1).first;
   const auto cell = [&](Face f) {
     const Halfedge h = m.halfedge(f);
@@ -1149,10 +1151,15 @@ void divided_faces_outside_the_range_have_their_part()
     if(number[f] % 6 < 3)
       range.push_back(f);
     for(const Halfedge h : m.halfedges_around_face(m.halfedge(f)))
+    {
       texture[h] = value(m.point(m.target(h)));
+      if(number[f] % 6 < 3)
+        side[h] = 1;
+    }
   }
   IAR::Attribute_transfer<Mesh> transfer;
   transfer.add_corner_map(texture);
+  transfer.add_corner_map(side);
   transfer.add_face_map(number);
   IAR::Recipe recipe;
   recipe.split_rim = true;
@@ -1170,6 +1177,11 @@ void divided_faces_outside_the_range_have_their_part()
     }
     if(is_outside)
       CHECK_MESSAGE(number[f] == cell(f), number[f] << " " << cell(f));
+    for(const Halfedge h : m.halfedges_around_face(begin))
+    {
+      CHECK(std::abs(side[h] - (is_outside ? 2 : 1)) < 1e-12);
+      CHECK(m.is_border(m.opposite(h)) || texture[h] == texture[m.prev(m.opposite(h))]);
+    }
   }
 }
 

@@ -106,7 +106,8 @@ public:
   void read_corner(std::size_t i, const std::array<Halfedge, 3>& corners, const std::array<double, 3>& coordinates);
 
   /// called for face number `i` of the result, whose centroid lies on face `f` of the input, in the same patch. Numbers after those of the
-  /// range are new faces outside of it, see `Recipe::split_rim`: parts of face `f`. Their corners have values of their own, too.
+  /// range are new faces outside of it, see `Recipe::split_rim`: parts of face `f`. Their corners have values of their own, too;
+  /// those at a new vertex on the rim are read from the ends of the edge that it divides, with the same coordinates on both sides.
   template <class Face>
   void read_face(std::size_t i, Face f);
 

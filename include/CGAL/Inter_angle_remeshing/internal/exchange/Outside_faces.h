@@ -13,6 +13,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -63,6 +64,9 @@ public:
       result[(side + 1) % 3] = parts[place];
       return result;
     }
+
+    // Whether a place in the loop is one of the face's corners.
+    bool is_corner(std::size_t place) const { return std::find(places.begin(), places.end(), place) != places.end(); }
 
     // The side that begins at that place, or lies there.
     int side_of(std::size_t place) const { return place < places[1] ? 0 : place < places[2] ? 1 : 2; }

@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -157,14 +158,40 @@ private:
   void read_corners(const Remeshing_mesh& mesh, const Input_locator& locator)
   {
     sectors_.assign(4 * mesh.number_of_live_faces(), NONE);
+    const std::unordered_map<Index, Rim_place> rim_places = places_on_rim(mesh);
     std::size_t n = 0;
     mesh.for_each_halfedge([&](Index h) {
       if (sectors_[h] != NONE) return;
-      const Input_place place = note_sector(mesh, h, n) ? locator.place_of_corner(mesh, h)
-                                                        : locator.place_of_vertex(mesh, mesh.origin(h));
+      const bool is_bounded = note_sector(mesh, h, n);
+      if (const auto rim = rim_places.find(mesh.origin(h)); rim != rim_places.end()) {
+        const halfedge_descriptor side = rim->second.side;
+        const std::array<halfedge_descriptor, 3> corners{side, prev(side, tmesh_), next(side, tmesh_)};
+        visitor_.read_corner(n++, corners, std::array<double, 3>{1 - rim->second.part, rim->second.part, 0});
+        return;
+      }
+      const Input_place place = is_bounded ? locator.place_of_corner(mesh, h) : locator.place_of_vertex(mesh, mesh.origin(h));
       visitor_.read_corner(n++, corners_of(place.source), place.coordinates);
     });
     corners_read_ = n;
+  }
+
+  // A new vertex on a divided side of a face outside: the user's half-edge across it, and which part of that lies between its target and
+  // the vertex.
+  struct Rim_place
+  {
+    halfedge_descriptor side;
+    double part;
+  };
+
+  // The corners on both sides of the rim read the same values with the same weights: there is no seam where the input has none.
+  std::unordered_map<Index, Rim_place> places_on_rim(const Remeshing_mesh& mesh) const
+  {
+    std::unordered_map<Index, Rim_place> result;
+    for (const auto& f : exchange_.outside_faces().divided())
+      for (std::size_t place = 0; place < f.across.size(); ++place)
+        if (!f.is_corner(place))
+          result[mesh.target(f.across[place])] = {opposite(f.sides[f.side_of(place)], tmesh_), f.parts[place]};
+    return result;
   }
 
   // Gives number i to the sector of h. Returns whether curves bound it.
